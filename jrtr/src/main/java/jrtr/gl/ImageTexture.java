@@ -56,9 +56,7 @@ public final class ImageTexture extends Texture {
      */
     record MipLevel(int width, int height, byte[] rgba, Encoding encoding) {
         private static final int CHANNELS = 4;
-        /**
-         * Steps of [0, 1] in the table from linear light to sRGB bytes; the darkest bytes, the closest together, are five steps apart.
-         */
+        /** Steps of [0, 1] in the table from linear light to sRGB bytes; the darkest bytes, the closest together, are five steps apart. */
         private static final int STEPS = 1 << 14;
 
         // From byte to value without and with sRGB decoding, and from linear light (in STEPS steps) to sRGB byte.
@@ -88,9 +86,7 @@ public final class ImageTexture extends Texture {
             return new MipLevel(width, height, flipped, encoding);
         }
 
-        /**
-         * Half as wide and high, rounded down, at least 1. Each texel is the area mean, in linear light, of the texels that it covers.
-         */
+        /** Half as wide and high, rounded down, at least 1. Each texel is the area mean, in linear light, of the texels that it covers. */
         MipLevel next() {
             float[][] across = overlaps(width);
             float[][] down = overlaps(height);

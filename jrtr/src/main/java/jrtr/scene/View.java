@@ -29,9 +29,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
         this(camera, verticalFieldOfView, 0, near, far);
     }
 
-    /**
-     * Returns the matrix from camera space to clip space, with square pixels and depth -1 at the near plane, 1 at the far one.
-     */
+    /** Returns the matrix from camera space to clip space, with square pixels and depth -1 at the near plane, 1 at the far one. */
     Matrix4f cameraToClip(Area area) {
         float aspect = (float) area.pictureWidth() / area.pictureHeight();
         Matrix4f whole = new Matrix4f().perspective(verticalFieldOfView, Math.max(aspect, leastAspect), near, far);
@@ -130,9 +128,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
             return "(" + vector.x() + ", " + vector.y() + ", " + vector.z() + ")";
         }
 
-        /**
-         * The matrix to camera space, where the eye is at the origin and looks along -z, with y upwards and x to the right.
-         */
+        /** The matrix to camera space, where the eye is at the origin and looks along -z, with y upwards and x to the right. */
         public Matrix4f worldToCamera() {
             return new Matrix4f().lookAt(centerOfProjection, lookAtPoint, up);
         }

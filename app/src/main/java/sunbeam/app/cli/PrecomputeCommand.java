@@ -115,7 +115,7 @@ public final class PrecomputeCommand extends FileCommand {
         SpectrumPlan plan = method.tablePlan(setup.surface(), VisibleRange.all());
         methodOptions.explain(plan, err());
         long start = System.nanoTime();
-        FourierTable table = setup.fourierTable(plan);
+        FourierTable table = setup.fourier(plan);
         double seconds = (System.nanoTime() - start) * 1e-9;
         Surface surface = setup.surface();
         Path written = AtomicFile.writeFile(

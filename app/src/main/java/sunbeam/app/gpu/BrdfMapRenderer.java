@@ -1,6 +1,5 @@
 package sunbeam.app.gpu;
 
-import java.util.Optional;
 import java.util.function.LongConsumer;
 import java.util.stream.IntStream;
 import jrtr.Tile;
@@ -15,6 +14,12 @@ import sunbeam.precompute.optics.DirectionPair;
 
 /** Draws the BRDF map of one light direction, tile by tile, so that no draw takes seconds. */
 public final class BrdfMapRenderer implements AutoCloseable {
+    // Four of llvmpipe's blocks of 64 x 64 pixels, one per processor; two seconds at 0.12 ms per pixel.
+    private static final int SIDE = 128;
+
+    // Tiles in corners, which come first, are faster than the disc's: a tile may take five times as long.
+    private static final double BUDGET_NANOSECONDS = 1e8;
+
     private final RenderContext context;
     private final UploadedTables method;
     private final ShaderProgram program;
@@ -44,15 +49,23 @@ public final class BrdfMapRenderer implements AutoCloseable {
         return picture();
     }
 
+    /** Draws a map from top to bottom in tiles as large as the measured time allows: a draw costs as much as some thousand pixels. */
     public void draw(Direction light, LongConsumer progress) {
-        Tiles tiles = new Tiles(size);
-        double secondsPerPixel = Double.POSITIVE_INFINITY;
-        for (Optional<Tile> tile = tiles.next(secondsPerPixel); tile.isPresent(); tile = tiles.next(secondsPerPixel)) {
-            long start = System.nanoTime();
-            draw(light, tile.get());
-            long pixels = tile.get().pixels();
-            secondsPerPixel = (System.nanoTime() - start) * 1e-9 / pixels;
-            progress.accept(pixels);
+        double affordable = 0;
+        int height;
+        for (int top = 0; top < size; top += height) {
+            int rows = (int) Math.min(size, affordable / size) / SIDE * SIDE;
+            height = Math.min(Math.max(SIDE, rows), size - top);
+            int width;
+            for (int left = 0; left < size; left += width) {
+                int rest = size - left;
+                width = (double) rest * height <= affordable ? rest : Math.min(SIDE, rest);
+                Tile tile = new Tile(left, top, width, height);
+                long start = System.nanoTime();
+                draw(light, tile);
+                affordable = BUDGET_NANOSECONDS * tile.pixels() / (System.nanoTime() - start);
+                progress.accept(tile.pixels());
+            }
         }
     }
 
@@ -78,46 +91,6 @@ public final class BrdfMapRenderer implements AutoCloseable {
     public void close() {
         target.close();
         program.close();
-    }
-
-    /** Tiles from top to bottom, sized by the measured time per pixel: a draw costs as much as some thousand pixels of a fast method. */
-    private static final class Tiles {
-        // Four of llvmpipe's blocks of 64 x 64 pixels, one per processor; two seconds at 0.12 ms per pixel.
-        private static final int SIDE = 128;
-
-        // Tiles in corners, which come first, are faster than the disc's: a tile may take five times as long.
-        private static final double BUDGET_SECONDS = 0.1;
-
-        private final int size;
-        private int left;
-        private int top;
-        private int height;
-
-        Tiles(int size) {
-            this.size = size;
-            this.height = Math.min(SIDE, size);
-        }
-
-        /** Returns the next tile, sized by the last one's seconds per pixel (infinity at first); empty after the last. */
-        Optional<Tile> next(double secondsPerPixel) {
-            if (top >= size) {
-                return Optional.empty();
-            }
-            double pixels = BUDGET_SECONDS / secondsPerPixel;
-            if (left == 0) {
-                int affordable = (int) Math.min(size, pixels / size) / SIDE * SIDE;
-                height = Math.min(Math.max(SIDE, affordable), size - top);
-            }
-            int rest = size - left;
-            int width = (double) rest * height <= pixels ? rest : Math.min(SIDE, rest);
-            Tile tile = new Tile(left, top, width, height);
-            left += width;
-            if (left == size) {
-                left = 0;
-                top += height;
-            }
-            return Optional.of(tile);
-        }
     }
 
     /** Directions at the centers of a BRDF map's pixels (shaders/brdf_map.frag). */

@@ -243,7 +243,7 @@ public final class SceneLoader {
                 .map(divisor -> divisor.applyTo(made, setup.cie()))
                 .orElse(made);
         Optional<LevelBakers> bakers = levels.map(plan ->
-                new LevelBakers(plan, setup.sources(line -> warning.accept(patch.name() + ": " + line))));
+                new LevelBakers(plan, setup.withShortfall(line -> warning.accept(patch.name() + ": " + line))));
         return new SceneData(scene, shape.get(), region, patch, method, tables, bakers, part);
     }
 

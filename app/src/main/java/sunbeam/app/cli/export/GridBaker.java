@@ -62,7 +62,7 @@ final class GridBaker {
         this.setup = setup;
         this.plan = plan;
         this.spectrum = PowerSpectrum.of(
-                setup.fourierTable(plan.spectrum().orElseThrow()), new ErrorBudget(plan.tolerance()).powerBasis());
+                setup.fourier(plan.spectrum().orElseThrow()), new ErrorBudget(plan.tolerance()).powerBasis());
         List<ColorTable.Level> all = plan.table().levels();
         this.levels = all.subList(plan.table().pointLevelCount(), all.size());
     }

@@ -144,7 +144,7 @@ public final class SampleCommand extends FileCommand {
         ColorTablePlan plan =
                 method.plan(setup.surface(), VisibleRange.all()).colorTable().orElseThrow();
         PowerSpectrum spectrum = PowerSpectrum.of(
-                setup.fourierTable(plan.spectrum().orElseThrow()), new ErrorBudget(plan.tolerance()).powerBasis());
+                setup.fourier(plan.spectrum().orElseThrow()), new ErrorBudget(plan.tolerance()).powerBasis());
         Optional<Certificate> certificate;
         Map<String, Object> made = metadata(setup, method, plan, part);
         try (Progress progress = environment().progress().start("Rows", rows)) {

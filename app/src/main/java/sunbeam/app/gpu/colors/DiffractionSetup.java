@@ -42,16 +42,17 @@ import sunbeam.precompute.spectrum.FourierTable;
 /**
  * Loaded patch and the cache of its tables, each under a hash of all that determines it; damaged ones are made again.
  *
- * @param note receives a line for each step that takes longer than planned
- * @param warning receives a line for each failure of the cache and each table that misses its tolerance
+ * @param warning receives a line for each failure of the cache
+ * @param diagnostics receives a line for each step that takes longer than planned, and each table that misses its tolerance
  */
 public record DiffractionSetup(
         Patch patch,
         Surface surface,
         CacheFolder folder,
-        Consumer<String> note,
         Consumer<String> warning,
-        ProgressDisplay progress) {
+        ValidatedTable.Diagnostics diagnostics,
+        ProgressDisplay progress)
+        implements TableSources {
     /** Prints the patch's notes. */
     public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
         this(
@@ -72,8 +73,8 @@ public record DiffractionSetup(
                 patch,
                 Surface.of(patch).withStatistics(BlobCache.of(environment, warning)::numbers),
                 CacheFolder.of(environment),
-                note,
                 warning,
+                new ValidatedTable.Diagnostics(note, warning),
                 environment.progress());
     }
 
@@ -87,7 +88,7 @@ public record DiffractionSetup(
     }
 
     public DiffractionSetup withLight(CieTable light) {
-        return new DiffractionSetup(patch, surface.withLight(light), folder, note, warning, progress);
+        return new DiffractionSetup(patch, surface.withLight(light), folder, warning, diagnostics, progress);
     }
 
     public CieTable cie() {
@@ -105,59 +106,49 @@ public record DiffractionSetup(
      */
     public ShaderTables freshTables(MethodPlan plan, MethodUse use) {
         requireUse(plan, use);
-        return plan.tables(use, sources(warning));
+        return plan.tables(use, this);
     }
 
-    /** Returns a plan's sources; {@code shortfall} receives a line for each table that misses its tolerance. */
-    public TableSources sources(Consumer<String> shortfall) {
-        DiffractionSetup setup = this;
-        return new TableSources() {
-            @Override
-            public FourierTable fourier(SpectrumPlan plan) {
-                return fourierTable(plan);
-            }
+    /** Returns this setup with another receiver of a line for each table that misses its tolerance. */
+    public DiffractionSetup withShortfall(Consumer<String> shortfall) {
+        ValidatedTable.Diagnostics other = new ValidatedTable.Diagnostics(diagnostics.note(), shortfall);
+        return new DiffractionSetup(patch, surface, folder, warning, other, progress);
+    }
 
-            @Override
-            public ShaderTables tables(MethodPlan plan) {
-                return setup.tables(plan, MethodUse.COLOR);
-            }
+    @Override
+    public ColorBaker baker(ShaderTables tables) {
+        return GpuBaker.of(tables);
+    }
 
-            @Override
-            public ColorBaker baker(ShaderTables tables) {
-                return GpuBaker.of(tables);
-            }
+    @Override
+    public ColorBaker.Token progress(long samples) {
+        return progress.start("Colors of " + surface.name(), samples);
+    }
 
-            @Override
-            public ColorBaker.Token progress(long samples) {
-                return progress.start("Colors of " + surface.name(), samples);
-            }
+    @Override
+    public boolean hasTiles() {
+        return folder.open(warning).isPresent() && folder.hasTiles(surface.digest());
+    }
 
-            @Override
-            public boolean hasTiles() {
-                return folder.open(warning).isPresent() && folder.hasTiles(surface.digest());
-            }
+    @Override
+    public boolean hasTiles(ColorTablePlan plan) {
+        return file(tilesKey(plan), CacheFolder.Entry.TILES)
+                .filter(Files::exists)
+                .isPresent();
+    }
 
-            @Override
-            public boolean hasTiles(ColorTablePlan plan) {
-                return file(tilesKey(plan), CacheFolder.Entry.TILES)
-                        .filter(Files::exists)
-                        .isPresent();
-            }
+    @Override
+    public CachedTiles tiles(ColorTablePlan plan) {
+        String key = tilesKey(plan);
+        TableLabel label = label(plan.plan());
+        return file(key, CacheFolder.Entry.TILES)
+                .map(path -> TileFile.of(folder, path, key, plan.table().numbers(), label, warning))
+                .orElse(CachedTiles.NONE);
+    }
 
-            @Override
-            public CachedTiles tiles(ColorTablePlan plan) {
-                String key = tilesKey(plan);
-                TableLabel label = label(plan.plan());
-                return file(key, CacheFolder.Entry.TILES)
-                        .map(path -> TileFile.of(folder, path, key, plan.table().numbers(), label, warning))
-                        .orElse(CachedTiles.NONE);
-            }
-
-            @Override
-            public ValidatedTable.Diagnostics diagnostics() {
-                return new ValidatedTable.Diagnostics(note, shortfall);
-            }
-        };
+    @Override
+    public ShaderTables tables(MethodPlan plan) {
+        return tables(plan, MethodUse.COLOR);
     }
 
     public ShaderTables tables(MethodPlan plan, MethodUse use) {
@@ -181,8 +172,8 @@ public record DiffractionSetup(
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return folder.read(file.get(), reader, warning).orElseGet(() -> {
             List<String> shortfalls = new ArrayList<>();
-            ShaderTables made = plan.tables(use, sources(shortfalls::add)).preceded(progress);
-            shortfalls.forEach(warning);
+            ShaderTables made = plan.tables(use, withShortfall(shortfalls::add)).preceded(progress);
+            shortfalls.forEach(diagnostics.shortfall());
             if (!shortfalls.isEmpty()) {
                 return made;
             }
@@ -206,7 +197,8 @@ public record DiffractionSetup(
     }
 
     /** Not cached, because the colors that need it take longer. */
-    public FourierTable fourierTable(SpectrumPlan plan) {
+    @Override
+    public FourierTable fourier(SpectrumPlan plan) {
         try (Progress task = progress.start(
                 "Fourier tables of " + surface.name(), plan.expansion().terms())) {
             return plan.fourierTable(surface.levels(), task::step);

@@ -28,6 +28,7 @@ import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.RadialBaker;
 import sunbeam.precompute.colortable.TileGrid;
+import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
@@ -84,8 +85,8 @@ class DiffractionSetupTest {
                 null,
                 surface(name),
                 folder,
-                note -> {},
                 warnings::add,
+                new ValidatedTable.Diagnostics(note -> {}, warnings::add),
                 new Environment(Map.of(), Path.of("")).progress());
     }
 
@@ -168,14 +169,14 @@ class DiffractionSetupTest {
         TileGrid grid = TileGrid.of(all.table().levels().get(0));
         BitSet tiles = grid.reachable();
         SpectrumPlan bins = all.spectrum().orElseThrow();
-        PowerSpectrum spectrum = PowerSpectrum.of(setup("a").fourierTable(bins), 0.4 * all.tolerance());
+        PowerSpectrum spectrum = PowerSpectrum.of(setup("a").fourier(bins), 0.4 * all.tolerance());
         List<byte[]> made = new LevelBaking(grid, all.table().numbers())
                 .bake(
                         tiles,
                         new RadialBaker(
                                 spectrum, CieTable.load(), all.table().levels().get(0)),
                         ColorBaker.Token.NONE);
-        try (CachedTiles kept = setup("a").sources(line -> {}).tiles(all)) {
+        try (CachedTiles kept = setup("a").tiles(all)) {
             int[] numbers = tiles.stream().toArray();
             kept.keep(
                     0,
