@@ -162,10 +162,6 @@ public final class LineDrawings {
         private static final double HALF_WIDTH = 0.035;
         private static final float LINE_WIDTH = 1.4f;
 
-        public LightCone {
-            towards = new Vector3f(towards);
-        }
-
         public static LightCone of(Scene scene) {
             return new LightCone(scene.view()
                     .camera()
@@ -173,60 +169,49 @@ public final class LineDrawings {
                     .transformDirection(scene.light().towards(), new Vector3f()));
         }
 
-        private record Outline(double apexX, double apexY, double mouthX, double mouthY, double radius) {}
+        /** Returns the middle of the cone's mouth; its apex is the picture's middle. */
+        private Point2D mouth(int width, int height) {
+            double length = LENGTH * Math.min(width, height);
+            return new Point2D.Double(0.5 * width + length * towards.x(), 0.5 * height - length * towards.y());
+        }
 
-        private Outline outline(int width, int height) {
-            double unit = Math.min(width, height);
-            double apexX = 0.5 * width;
-            double apexY = 0.5 * height;
-            return new Outline(
-                    apexX,
-                    apexY,
-                    apexX + LENGTH * unit * towards.x(),
-                    apexY - LENGTH * unit * towards.y(),
-                    HALF_WIDTH * unit * (1 + 0.4 * towards.z()));
+        private double radius(int width, int height) {
+            return HALF_WIDTH * Math.min(width, height) * (1 + 0.4 * towards.z());
         }
 
         public Rectangle bounds(int width, int height) {
-            Outline outline = outline(width, height);
-            double reach = outline.radius() + LINE_WIDTH;
+            Point2D mouth = mouth(width, height);
+            double reach = radius(width, height) + LINE_WIDTH;
             Rectangle2D covered =
-                    new Rectangle2D.Double(outline.mouthX() - reach, outline.mouthY() - reach, 2 * reach, 2 * reach);
-            covered.add(outline.apexX() - LINE_WIDTH, outline.apexY() - LINE_WIDTH);
-            covered.add(outline.apexX() + LINE_WIDTH, outline.apexY() + LINE_WIDTH);
+                    new Rectangle2D.Double(mouth.getX() - reach, mouth.getY() - reach, 2 * reach, 2 * reach);
+            covered.add(0.5 * width - LINE_WIDTH, 0.5 * height - LINE_WIDTH);
+            covered.add(0.5 * width + LINE_WIDTH, 0.5 * height + LINE_WIDTH);
             return covered.getBounds();
         }
 
         public void paint(Graphics2D graphics, int width, int height) {
             smooth(graphics);
-            Outline outline = outline(width, height);
-            double mouthX = outline.mouthX();
-            double mouthY = outline.mouthY();
-            double radius = outline.radius();
-            double length = Math.hypot(mouthX - outline.apexX(), mouthY - outline.apexY());
+            Point2D apex = new Point2D.Double(0.5 * width, 0.5 * height);
+            Point2D mouth = mouth(width, height);
+            double radius = radius(width, height);
+            double length = mouth.distance(apex);
             int opacity = towards.z() > 0 ? 70 : 30;
             graphics.setStroke(new BasicStroke(LINE_WIDTH, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
             if (length > radius) {
-                double acrossX = -(mouthY - outline.apexY()) / length * radius;
-                double acrossY = (mouthX - outline.apexX()) / length * radius;
+                double acrossX = -(mouth.getY() - apex.getY()) / length * radius;
+                double acrossY = (mouth.getX() - apex.getX()) / length * radius;
                 Path2D sides = new Path2D.Double();
-                sides.moveTo(mouthX + acrossX, mouthY + acrossY);
-                sides.lineTo(outline.apexX(), outline.apexY());
-                sides.lineTo(mouthX - acrossX, mouthY - acrossY);
-                graphics.setPaint(new GradientPaint(
-                        (float) outline.apexX(),
-                        (float) outline.apexY(),
-                        color(0),
-                        (float) mouthX,
-                        (float) mouthY,
-                        color(opacity)));
+                sides.moveTo(mouth.getX() + acrossX, mouth.getY() + acrossY);
+                sides.lineTo(apex.getX(), apex.getY());
+                sides.lineTo(mouth.getX() - acrossX, mouth.getY() - acrossY);
+                graphics.setPaint(new GradientPaint(apex, color(0), mouth, color(opacity)));
                 graphics.fill(sides);
             }
-            Ellipse2D mouth = new Ellipse2D.Double(mouthX - radius, mouthY - radius, 2 * radius, 2 * radius);
+            Ellipse2D end = new Ellipse2D.Double(mouth.getX() - radius, mouth.getY() - radius, 2 * radius, 2 * radius);
             graphics.setPaint(color(opacity));
-            graphics.fill(mouth);
+            graphics.fill(end);
             graphics.setPaint(color(2 * opacity));
-            graphics.draw(mouth);
+            graphics.draw(end);
             graphics.dispose();
         }
 

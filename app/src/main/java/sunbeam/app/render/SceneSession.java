@@ -16,8 +16,8 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.GeometryBuffer.Layout;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
-import sunbeam.app.render.Pick.Picking;
 import sunbeam.app.render.SceneLoader.SceneShape;
+import sunbeam.app.render.UploadedScene.Picking;
 import sunbeam.app.scene.Scene;
 import sunbeam.precompute.errors.ErrorStatistics;
 
@@ -246,8 +246,7 @@ public final class SceneSession implements AutoCloseable {
 
     /** Returns the point under a pixel, from the top left; empty for background. Throws IllegalArgumentException for a pixel outside. */
     public Optional<Pick> pick(int x, int y, int width, int height) {
-        return picking.pick(
-                scene(), uploaded.mesh(), uploaded.body(), new View.Area(width, height, new Tile(x, y, 1, 1)));
+        return picking.pick(uploaded, scene(), new View.Area(width, height, new Tile(x, y, 1, 1)));
     }
 
     @Override

@@ -5,6 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import jrtr.Tile;
+import jrtr.gl.FloatTarget;
 import jrtr.gl.ImageTexture;
 import jrtr.gl.ImageTexture.Encoding;
 import jrtr.gl.RenderContext;
@@ -13,9 +15,13 @@ import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
+import jrtr.scene.Light;
 import jrtr.scene.PlacedMesh;
+import jrtr.scene.View;
 import org.joml.Quaternionfc;
+import org.joml.Vector3f;
 import org.joml.Vector3fc;
+import sunbeam.app.gpu.Shaders;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
@@ -27,6 +33,7 @@ import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;
 import sunbeam.app.scene.texture.Scales;
+import sunbeam.precompute.optics.Direction;
 
 /** A scene in graphics memory: mesh, textures, and the method with its tables. */
 final class UploadedScene implements AutoCloseable {
@@ -63,14 +70,6 @@ final class UploadedScene implements AutoCloseable {
         return data;
     }
 
-    VertexBuffer mesh() {
-        return mesh.buffer();
-    }
-
-    SkinTextures body() {
-        return body;
-    }
-
     /** Returns the ground if the blend shows the body's own color, not diffraction alone. */
     Optional<Ground> ground(Scene scene) {
         return scene.ground().isPresent() && scene.hasBody() ? mesh.ground() : Optional.empty();
@@ -84,11 +83,12 @@ final class UploadedScene implements AutoCloseable {
     SkinGeometry geometry(Scene scene, int width, int height, boolean moves) {
         Optional<Vector3fc> light =
                 scene.hasShadows() ? Optional.of(scene.light().towards()) : Optional.empty();
-        light.ifPresent(towards -> shadows.draw(mesh(), mesh.mesh().closed(), scene.orientation(), towards, moves));
+        light.ifPresent(
+                towards -> shadows.draw(mesh.buffer(), mesh.mesh().closed(), scene.orientation(), towards, moves));
         // The shading pass of moving pictures reads shadows, so that a moving light leaves the geometry valid.
         Optional<Vector3fc> geometryLight = moves ? Optional.empty() : light;
         return new SkinGeometry(
-                mesh(),
+                mesh.buffer(),
                 mesh.mesh().closed(),
                 body,
                 scene.view(),
@@ -227,6 +227,61 @@ final class UploadedScene implements AutoCloseable {
         @Override
         public void close() {
             uploaded.values().forEach(ImageTexture::close);
+        }
+    }
+
+    /** Draws the point under a pixel (shaders/pick.frag). */
+    static final class Picking implements AutoCloseable {
+        private static final int IMAGES = 6;
+
+        private final RenderContext context;
+        private final ShaderProgram program;
+        private final FloatTarget target;
+
+        Picking(RenderContext context) {
+            this.context = context;
+            this.program = context.createMeshProgram(Shaders.library().load("pick.frag"));
+            this.target = Resource.orClose(
+                    () -> context.createFloatTarget("pick", new FloatTarget.Spec(1, 1, IMAGES, true)), program::close);
+        }
+
+        Optional<Pick> pick(UploadedScene uploaded, Scene scene, View.Area pixel) {
+            VertexBuffer mesh = uploaded.mesh.buffer();
+            double rotation = scene.get(SceneSettings.ROTATE_PATCH);
+            PlacedMesh placed =
+                    uploaded.body.placed(mesh, scene.orientation(), program, rotation, Faces.BOTH, Map.of());
+            Light.apply(Framing.lights(scene), program);
+            placed.draw(context, Framing.view(scene.view(), mesh.bounds()), pixel, target, Tile.whole(1, 1));
+            float[][] values = new float[IMAGES][];
+            for (int i = 0; i < IMAGES; i++) {
+                values[i] = target.read(i);
+            }
+            if (values[0][3] == 0) {
+                return Optional.empty();
+            }
+            return Optional.of(new Pick(
+                    vector(values[0]),
+                    scene.patches().region((int) values[0][3] - 1),
+                    mesh.bounds().center(),
+                    vector(values[1]),
+                    vector(values[2]),
+                    vector(values[3]),
+                    direction(values[4]),
+                    direction(values[5])));
+        }
+
+        private static Vector3f vector(float[] rgba) {
+            return new Vector3f(rgba[0], rgba[1], rgba[2]);
+        }
+
+        private static Direction direction(float[] rgba) {
+            return new Direction(rgba[0], rgba[1], rgba[2]);
+        }
+
+        @Override
+        public void close() {
+            target.close();
+            program.close();
         }
     }
 }

@@ -23,19 +23,14 @@ import sunbeam.precompute.setting.Choices;
 class BuiltInScenesTest extends InAScene {
     @Test
     @Tag("thorough")
-    void allAreDrawnInColors() throws IOException {
+    void allAreDrawnInColorsAndMeteredAsTheyAreFirstShown() throws IOException {
         assertDrawnInColors(Scenes.builtIn());
+        assertMeteredAsFirstShown(Scenes.builtIn());
     }
 
     @Test
     void theSnakeIsDrawnInColors() throws IOException {
         assertDrawnInColors(List.of("elaphe"));
-    }
-
-    @Test
-    @Tag("thorough")
-    void allAreMeteredAsTheyAreFirstShown() {
-        assertMeteredAsFirstShown(Scenes.builtIn());
     }
 
     @Test

@@ -1,5 +1,8 @@
 package sunbeam.app.render;
 
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -10,6 +13,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import jrtr.Tile;
@@ -29,6 +34,7 @@ import sunbeam.app.scene.Weights;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.setting.Choices;
 
@@ -103,6 +109,43 @@ public abstract class InAScene extends InAContext {
             picture.put(session.draw(part), part.tile().x(), part.tile().y());
         }
         return picture;
+    }
+
+    /** Returns a moving picture's 0xffRRGGBB. */
+    protected static int[] moving(SceneSession session, int width, int height) {
+        return session.moving(width, height, 1, 1).getRGB(0, 0, width, height, null, 0, width);
+    }
+
+    /** Asserts that channels of 8 bits differ by so few steps. */
+    protected static void assertAlike(int[] rgb, int[] expected, int steps) {
+        for (int i = 0; i < rgb.length; i++) {
+            for (int shift = 0; shift < 24; shift += 8) {
+                assertThat(rgb[i] >> shift & 0xff).isCloseTo(expected[i] >> shift & 0xff, within(steps));
+            }
+        }
+    }
+
+    /** Compares pixels of diffracted light, chosen by their rank in brightness, with the exact XYZ of their directions. */
+    protected static void assertExact(
+            SceneSession session, ScenePicture drawn, Function<DirectionPair, double[]> exact, int... ranks) {
+        int[] byLuminance = byLuminance(drawn.rgba());
+        double brightest = 0;
+        for (int rank : ranks) {
+            int pixel = byLuminance[rank];
+            Pick pick = session.pick(pixel % drawn.width(), pixel / drawn.width(), drawn.width(), drawn.height())
+                    .orElseThrow();
+            double[] xyz = exact.apply(new DirectionPair(pick.wi(), pick.wr()));
+            double scale = DoubleStream.of(xyz).max().orElseThrow();
+            brightest = Math.max(brightest, scale);
+            for (int c = 0; c < 3; c++) {
+                // The plan's tolerance is 1e-3 for each of five sources; directions in float32 add 1e-4 where an
+                // order's flank is steep. Channels are compared in proportion to the brightest.
+                assertThat((double) drawn.rgba()[4 * pixel + c])
+                        .as("channel %d of pixel %d", c, pixel)
+                        .isCloseTo(xyz[c], within(5e-3 * scale + 1e-7));
+            }
+        }
+        assertThat(brightest).as("the test looks at lit orders").isGreaterThan(1e-4);
     }
 
     protected static ScenePicture sum(List<SceneData> parts, int width, int height) {

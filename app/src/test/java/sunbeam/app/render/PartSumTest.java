@@ -1,7 +1,6 @@
 package sunbeam.app.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -33,23 +32,9 @@ class PartSumTest extends InAScene {
         Scene scene = blaze().with(
                         SceneSettings.INDEX, file("wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n"));
         List<SceneData> parts = loader().parts(scene);
-        float[] drawn = sum(parts, SIZE, SIZE).rgba();
-        double brightest = 0;
         try (SceneSession session = new SceneSession(context, parts.get(0))) {
-            for (int pixel : brightest(drawn)) {
-                Pick pick = session.pick(pixel % SIZE, pixel / SIZE, SIZE, SIZE).orElseThrow();
-                double[] exact = exact(parts, new DirectionPair(pick.wi(), pick.wr()));
-                double scale = Math.max(exact[0], Math.max(exact[1], exact[2]));
-                brightest = Math.max(brightest, scale);
-                for (int c = 0; c < 3; c++) {
-                    // As SceneSessionTest: five sources of 1e-3, and float32 directions on flanks.
-                    assertThat((double) drawn[4 * pixel + c])
-                            .as("channel %d of pixel %d", c, pixel)
-                            .isCloseTo(exact[c], within(5e-3 * scale + 1e-7));
-                }
-            }
+            assertExact(session, sum(parts, SIZE, SIZE), pair -> exact(parts, pair), 0, 5, 20);
         }
-        assertThat(brightest).as("the test looks at lit orders").isGreaterThan(1e-4);
     }
 
     /** At the rim of a body all 16 samples of a pixel count, elsewhere the 4 that it has in any case. */
@@ -82,11 +67,6 @@ class PartSumTest extends InAScene {
 
     private static float[] light(PixelPicture picture, int pixel) {
         return Arrays.copyOfRange(picture.light().rgba(), 4 * pixel, 4 * pixel + 4);
-    }
-
-    private static int[] brightest(float[] rgba) {
-        int[] byLuminance = byLuminance(rgba);
-        return new int[] {byLuminance[0], byLuminance[5], byLuminance[20]};
     }
 
     private static double[] exact(List<SceneData> parts, DirectionPair pair) {

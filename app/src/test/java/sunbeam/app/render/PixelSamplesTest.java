@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.stream.IntStream;
+import jrtr.Tile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -38,6 +39,17 @@ class PixelSamplesTest {
                         assertThat(columns.stream().mapToInt(i -> i).average()).hasValue(0.5 * (side - 1)));
     }
 
+    /** 5120 samples need three blocks of at most 2048, whose sides are no multiples of 4 unless they are rounded; 1300 pixels are prime to 4. */
+    @ParameterizedTest
+    @CsvSource({"1280,720,4", "1300,701,4", "480,270,6", "2060,24,1"})
+    void aTileOfPixelsLiesInOneBlock(int width, int height, int side) {
+        SceneBlocks blocks = SceneBlocks.of(side * width, side * height, side);
+        for (Tile tile : blocks.tiles(side, 128)) {
+            Tile samples = new Tile(side * tile.x(), side * tile.y(), side * tile.width(), side * tile.height());
+            assertThat(blocks.split(samples)).as("%s", tile).hasSize(1);
+        }
+    }
+
     private static final DisplayTransform CLIP = new DisplayTransform(1, Tone.CLIP);
 
     /** A mesh of 1000 pixels, some of them white, beside as much white ground. */
@@ -66,25 +78,12 @@ class PixelSamplesTest {
         assertThat(specks.complaint()).contains("1.2 %", "move the light");
         assertThat(LitPixels.of(specks(50), CLIP).areTooFew()).isFalse();
         assertThat(LitPixels.of(specks(1000), CLIP).summary()).startsWith("lit: 100 % of");
-    }
-
-    @Test
-    void pixelsThatCannotBeToldFromBlackAreDark() {
-        // Three steps of 8 bits: 1e-3 of white.
-        DisplayTransform dark = new DisplayTransform(1e-3, Tone.CLIP);
-
-        assertThat(LitPixels.of(specks(500), dark).lit()).isZero();
-    }
-
-    @Test
-    void sharesOfSeveralFramesAreMeans() {
-        LitPixels both = LitPixels.of(specks(0), CLIP).plus(LitPixels.of(specks(500), CLIP));
-
-        assertThat(both.share()).isCloseTo(0.25, within(1e-12));
-    }
-
-    @Test
-    void aPictureWithoutTheMeshHasItsOwnComplaint() {
+        LitPixels twoFrames = LitPixels.of(specks(0), CLIP).plus(LitPixels.of(specks(500), CLIP));
+        assertThat(twoFrames.share()).isCloseTo(0.25, within(1e-12));
+        // 1e-3 of white are three steps of 8 bits, as good as black.
+        assertThat(LitPixels.of(specks(500), new DisplayTransform(1e-3, Tone.CLIP))
+                        .lit())
+                .isZero();
         assertThat(LitPixels.NONE.areTooFew()).isTrue();
         assertThat(LitPixels.NONE.complaint()).contains("shows no mesh");
     }

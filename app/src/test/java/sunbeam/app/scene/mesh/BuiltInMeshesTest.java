@@ -1,7 +1,6 @@
 package sunbeam.app.scene.mesh;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.joml.Vector3d;
@@ -9,7 +8,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.cache.BlobCache;
-import sunbeam.precompute.files.InputException;
 
 /** Built-in meshes, the snake among them, and the sky that a body leaves visible. */
 class BuiltInMeshesTest {
@@ -25,19 +23,14 @@ class BuiltInMeshesTest {
     }
 
     @Test
-    void aPlaneIsFlatAndItsFrameIsThatOfTheWorld() {
+    void aPlanesFrameIsThatOfTheWorldAndACylindersMantleStandsOnTheGround() {
         Mesh plane = BuiltInMeshes.plane(2, 3);
+        Mesh cylinder = BuiltInMeshes.cylinder(0.1, 0.2, 48, 4);
 
         MeshChecks.assertTangentsFollowTheTexture(plane, 1 - 1e-6);
         assertThat(MeshChecks.area(plane)).isCloseTo(4, within(1e-6));
         assertThat(plane.tangents()).startsWith(1, 0, 0, 1);
         assertThat(plane.normals()).startsWith(0, 0, 1);
-    }
-
-    @Test
-    void aCylindersMantleStandsOnTheGround() {
-        Mesh cylinder = BuiltInMeshes.cylinder(0.1, 0.2, 48, 4);
-
         MeshChecks.assertTangentsFollowTheTexture(cylinder, Math.cos(Math.toRadians(4)));
         assertThat(cylinder.toVertexData().bounds().center().z()).isCloseTo(0.1f, within(1e-6f));
     }
@@ -57,13 +50,6 @@ class BuiltInMeshesTest {
                     .isCloseTo(0, within(1e-6 * radius));
         }
         assertThat(largest).isCloseTo(0.059, within(1e-6));
-    }
-
-    @Test
-    void builtInMeshesHaveNames() {
-        assertThatThrownBy(() -> BuiltInMeshes.create("torus"))
-                .isInstanceOf(InputException.class)
-                .hasMessage("there is no built-in mesh \"torus\"; choose one of snake, plane, sphere, cylinder, disc");
     }
 
     private static final Mesh SNAKE = BuiltInMeshes.create("snake");

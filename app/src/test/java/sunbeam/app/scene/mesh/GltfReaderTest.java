@@ -124,22 +124,6 @@ class GltfReaderTest extends MeshReading {
     }
 
     @Test
-    void compressionIsRefusedByName() {
-        String required = GOOD.replace("{\"asset\"", "{\"extensionsRequired\":[\"EXT_meshopt_compression\"],\"asset\"");
-        assertThat(refusal(required)).contains("EXT_meshopt_compression");
-        String fallback = GOOD.replaceFirst(
-                "\"uri\":\"[^\"]*\"", "\"extensions\":{\"EXT_meshopt_compression\":{\"fallback\":true}}");
-        assertThat(refusal(fallback)).contains("EXT_meshopt_compression");
-    }
-
-    @Test
-    void damagedEscapesInUrisHaveAPlainMessage() {
-        assertThat(refusal(MeshFiles.gltf(PLANE, "a%zz.bin")))
-                .contains("\"a%zz.bin\" has a % without two hexadecimal digits")
-                .doesNotContain("URLDecoder");
-    }
-
-    @Test
     void messagesOfTheParserAreNotShown() {
         for (String broken :
                 List.of("{\"a\":tru}", "{\"a\":1,,}", "{\"a\":\"\n\"}", "{} {", "{\"a\":01}", "[1]", "{", "nul")) {
@@ -202,12 +186,6 @@ class GltfReaderTest extends MeshReading {
         assertThat(refusal(json.toString()))
                 .contains("at \"" + path)
                 .contains("which glTF 2.0 does not allow; repair it or export it again");
-    }
-
-    @Test
-    void aRotationOfNoLengthIsTheNodesFault() {
-        assertThat(refusal(GOOD.replace("{\"mesh\":0}", "{\"mesh\":0,\"rotation\":[0,0,0,0]}")))
-                .contains("node 0 has the rotation [0,0,0,0]");
     }
 
     /** Empty lists and whole numbers such as 2.0 are common; unread properties may have any value. */

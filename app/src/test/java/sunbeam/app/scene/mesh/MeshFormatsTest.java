@@ -209,6 +209,11 @@ class MeshFormatsTest extends MeshReading {
         assertRefusedAfterReplacing(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"scale\":[1e30,1,1]}]", "no finite number");
         assertRefusedAfterReplacing(
                 good, "{\"asset\"", "{\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],\"asset\"", "KHR_draco");
+        assertRefusedAfterReplacing(
+                good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"rotation\":[0,0,0,0]}]", "node 0 has the rotation [0,0,0,0]");
+        String compressed = "\"extensions\":{\"EXT_meshopt_compression\":{\"fallback\":true}}";
+        assertRefused(good.replaceFirst("\"uri\":\"[^\"]*\"", compressed), "EXT_meshopt_compression");
+        assertRefused(MeshFiles.gltf(SURFACE, "a%zz.bin"), "\"a%zz.bin\" has a % without two hexadecimal digits");
         assertRefusedAfterReplacing(good, "\"count\":216", "\"count\":2000000000", "1 to 6000000");
         assertRefusedAfterReplacing(good, "base64,", "base64,?", "no base64");
         assertRefused("{\"a\":", "no valid JSON");

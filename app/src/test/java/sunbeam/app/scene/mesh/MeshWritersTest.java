@@ -10,13 +10,11 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
@@ -29,27 +27,17 @@ class MeshWritersTest {
     @TempDir
     private Path folder;
 
-    private interface Writing {
-        void write(OutputStream stream, Mesh mesh) throws IOException;
-    }
-
-    private static Stream<Arguments> writers() {
-        return Stream.of(
-                Arguments.of("obj", (Writing) MeshWriters::obj, 0.7),
-                Arguments.of("ply", (Writing) MeshWriters::ply, 0.7),
-                Arguments.of(
-                        "glb",
-                        (Writing) (stream, mesh) -> MeshWriters.glb(stream, mesh, Optional.empty()),
-                        1 - MeshChecks.ROUNDING));
-    }
-
     /** Only glTF has tangents; others are facets', worst where a facet bends most, at the snake's snout and eyes. */
-    @ParameterizedTest(name = "{0}")
-    @MethodSource("writers")
-    void theSnakeComesBack(String ending, Writing writer, double leastCosine) throws IOException {
+    @ParameterizedTest
+    @CsvSource({"obj, 0.7", "ply, 0.7", "glb, 0.999999"})
+    void theSnakeComesBack(String ending, double leastCosine) throws IOException {
         Path file = folder.resolve("snake." + ending);
         try (OutputStream stream = Files.newOutputStream(file)) {
-            writer.write(stream, SNAKE);
+            switch (ending) {
+                case "obj" -> MeshWriters.obj(stream, SNAKE);
+                case "ply" -> MeshWriters.ply(stream, SNAKE);
+                default -> MeshWriters.glb(stream, SNAKE, Optional.empty());
+            }
         }
         MeshSource.Loaded read = MeshSource.of(file.toString()).load();
         assertThat(read.warnings()).isEmpty();
@@ -147,7 +135,6 @@ class MeshWritersTest {
     }
 
     private static Body body(BodyTexture colors, Scales scales) {
-        BodyTexture unused = colors;
-        return new Body(colors, scales, ScaleRelief.of(scales, BlobCache.NONE), unused, unused, Body.WHITE);
+        return new Body(colors, scales, ScaleRelief.of(scales, BlobCache.NONE), colors, colors, Body.WHITE);
     }
 }

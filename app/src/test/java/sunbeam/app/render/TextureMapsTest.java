@@ -2,13 +2,21 @@ package sunbeam.app.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
+import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -17,6 +25,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.Weights;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -25,10 +34,116 @@ import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** Several patches on one mesh, selected by the colors of a map. */
-class PatchAtlasTest extends InAScene {
+/** Images on a mesh's texture coordinates: orientation maps, compared with a constant rotation, and maps of several patches. */
+class TextureMapsTest extends InAScene {
     private static final int WIDTH = 36;
     private static final int HEIGHT = 28;
+    // Towards 30.2 degrees: (110, 64) of eight bits about 128.
+    private static final int SLANTED = 0x80ee_c000;
+    private static final double SLANT = Math.atan2(64, 110);
+
+    private String directions(int... argb) throws IOException {
+        return image(BufferedImage.TYPE_INT_ARGB, argb.length, argb);
+    }
+
+    private static Scene mapped(Scene scene, String map, double turn) {
+        return scene.with(Choices.none().with(ORIENTATION_MAP, map).with(ROTATE_PATCH, turn));
+    }
+
+    private static Vector3fc tangent(SceneSession session, int x) {
+        return session.pick(x, HEIGHT / 2, WIDTH, HEIGHT).orElseThrow().tangent();
+    }
+
+    private static void assertPointsTo(Vector3fc direction, double radians) {
+        Vector3f expected = new Vector3f((float) Math.cos(radians), (float) Math.sin(radians), 0);
+        // Single precision.
+        assertThat(direction.distance(expected)).isLessThan(1e-5f);
+    }
+
+    /** For any alpha of the map, and in addition to a rotation. */
+    @Test
+    void aConstantMapIsATurnOfThePatch() throws IOException {
+        Scene plain = blaze();
+        float[] turned = drawn(mapped(plain, "none", SLANT + 0.1), WIDTH, HEIGHT);
+        float[] mapped = drawn(mapped(plain, directions(SLANTED, SLANTED), 0.1), WIDTH, HEIGHT);
+
+        float brightest = turned[4 * byLuminance(turned)[0] + 1];
+        assertThat(brightest).isGreaterThan(0);
+        // Directions in single precision on an order's flank, whose logarithm has a slope of 500.
+        assertThat(mapped).containsExactly(turned, within(1e-3f * brightest));
+    }
+
+    @Test
+    void movingPicturesTurnAlike() throws IOException {
+        Choices quick = Choices.none().with(Methods.METHOD, TableMethod.TYPE).with(MethodSettings.TOLERANCE, 0.05);
+        Scene plain = blaze().withMethod(new SceneMethod(quick));
+        SceneData turned = load(mapped(plain, "none", SLANT));
+        SceneData mapped = loader().parts(mapped(plain, directions(SLANTED), 0), List.of(turned), share -> {})
+                .get(0);
+        try (SceneSession session = new SceneSession(context, turned)) {
+            picture(session, WIDTH, HEIGHT);
+            int[] before = moving(session, WIDTH, HEIGHT);
+            session.update(mapped);
+
+            // Angles are packed in steps of a hundredth of a degree: an order's flank may move by a few of 255.
+            assertAlike(moving(session, WIDTH, HEIGHT), before, 4);
+            assertThat(IntStream.of(before).filter(rgb -> rgb != 0xff204060).count())
+                    .as("pixels without background")
+                    .isGreaterThan(WIDTH);
+        }
+    }
+
+    @Test
+    void eachPlaceHasItsOwnDirection() throws IOException {
+        String halves = directions(0xffff8000, 0xffff8000, 0xff80ff00, 0xff80ff00);
+        try (SceneSession session = session(mapped(blaze(), halves, 0.2))) {
+            // Left: along u, turned; right: along v, turned. Either has two texels, between which it does not change.
+            assertPointsTo(tangent(session, WIDTH / 2 - 5), 0.2);
+            assertPointsTo(tangent(session, WIDTH / 2 + 4), Math.PI / 2 + 0.2);
+            float[] all = session.patchDirections(WIDTH, HEIGHT);
+            int pixel = 3 * (HEIGHT / 2 * WIDTH + WIDTH / 2 + 4);
+            assertPointsTo(new Vector3f(all[pixel], all[pixel + 1], all[pixel + 2]), Math.PI / 2 + 0.2);
+            assertThat(all[0]).as("no skin").isZero();
+        }
+    }
+
+    /** If u runs to the left, so does the tangent; green is still along v. */
+    @Test
+    void greenIsAlongVWhereTheTextureIsMirrored() throws IOException {
+        Path mesh = Files.writeString(folder.resolve("mirrored.obj"), """
+                v -0.1 -0.1 0
+                v 0.1 -0.1 0
+                v 0.1 0.1 0
+                v -0.1 0.1 0
+                vt 1 0
+                vt 0 0
+                vt 0 1
+                vt 1 1
+                f 1/1 2/2 3/3 4/4
+                """);
+        Scene mirrored = blaze().withMesh(MeshSource.of(mesh.toString()));
+        try (SceneSession session = session(mapped(mirrored, directions(0xff80ff00), 0.2))) {
+            assertPointsTo(tangent(session, WIDTH / 2), Math.PI / 2 + 0.2);
+        }
+        try (SceneSession session = session(mapped(mirrored, directions(SLANTED), 0))) {
+            assertPointsTo(tangent(session, WIDTH / 2), Math.PI - SLANT);
+        }
+    }
+
+    @Test
+    void mapsWithoutDirectionsAreRefused() throws IOException {
+        assertRefused(directions(0xffc8_c8c8, 0xffc8_c8c8), "is gray");
+        assertRefused(directions(0xff80_8080, 0xff80_8080), "has no direction in column 0");
+        assertRefused(directions(0xff86_827f, 0xff86_827f), "has no direction in column 0");
+        assertRefused(folder + "/none.png", "there is no orientation map");
+    }
+
+    private void assertRefused(String map, String complaint) {
+        assertThatThrownBy(() -> load(mapped(blaze(), map, 0)))
+                .isInstanceOf(InputException.class)
+                .hasMessageContainingAll(map, complaint);
+    }
+
     private static final int RED = 0xff0000;
     private static final int BLUE = 0x0000ff;
 
