@@ -45,7 +45,6 @@ import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.text.Text;
 
 /** Command {@code sunbeam export}: writes a surface's table of colors as a file for other programs. */
 @Command(
@@ -181,15 +180,13 @@ public final class ExportCommand extends FileCommand {
         text.println(metadata.error());
         table.notes().forEach(text::println);
         json.print(out, metadata.fields(), written);
-        ErrorStatistics errors = table.errors();
-        Certificate.Limits limits = Certificate.Limits.ofExport(tolerance);
-        if (limits.hold(errors)) {
+        Certificate certificate = new Certificate(
+                "", true, "", table.errors(), ErrorStatistics.of(), Certificate.Limits.ofExport(tolerance));
+        if (!certificate.missed()) {
             return ExitCode.OK.code();
         }
-        err.println(Messages.error(Text.format(
-                "the tolerance is missed: median %.2g (at most %.2g), 95th percentile %.2g (at most %.2g); give a finer --tolerance"
-                        + " and, for room, a larger --size",
-                errors.median(), limits.median(), errors.percentile95(), limits.percentile95())));
+        err.println(Messages.error("the tolerance is missed: " + certificate.comparison()
+                + "; give a finer --tolerance and, for room, a larger --size"));
         return ExitCode.TOLERANCE_MISSED.code();
     }
 
