@@ -183,10 +183,8 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
             int columns = samples.length / bands;
             float[] light = new float[3 * columns];
             if (conversion.isEmpty()) {
-                for (int column = 0; column < columns; column++) {
-                    for (int c = 0; c < 3; c++) {
-                        light[3 * column + c] = curve[samples[bands * column + Math.min(c, channels - 1)]];
-                    }
+                for (int i = 0; i < light.length; i++) {
+                    light[i] = curve[samples[bands * (i / 3) + Math.min(i % 3, channels - 1)]];
                 }
                 return light;
             }

@@ -16,9 +16,8 @@ import sunbeam.precompute.optics.Gain;
 /**
  * A color grid in the RGL material format (Dupuy and Jakob 2018). For each first direction wi it has a slice: a map of half vectors h to
  * the unit square, and spectra over the square. The BRDF times the cosine of the second direction is spectrum / (4 wi.z h.z^2); this
- * division leaves the spectra smooth. Slices are ordered by the first direction's azimuth, then by its angle to the normal.
- *
- * @param azimuths density of the square's rows over the half vector's azimuth, the same for all slices
+ * division leaves the spectra smooth. Slices are ordered by the first direction's azimuth, then by its angle to the normal; all have the
+ * same density of the square's rows over the half vector's azimuth.
  */
 record BsdfMaterial(Shape shape, HalfVectors.Density azimuths, List<Slice> slices) {
     // Lower bound of the half vector's cosine in the divisor of the spectra.
@@ -28,11 +27,8 @@ record BsdfMaterial(Shape shape, HalfVectors.Density azimuths, List<Slice> slice
     private static final double EVEN_SHARE = 0.3;
 
     /**
-     * Arrays of one first direction.
-     *
-     * @param density density of {@link HalfVectors}
-     * @param spectra {@code [(band * side + row) * side + column]}
-     * @param luminance probability, not normalized, with which readers sample each point of the square
+     * Density of {@link HalfVectors}, spectra {@code [(band * side + row) * side + column]}, and the probability, not normalized, with which
+     * readers sample each point of the square.
      */
     record Slice(float[] density, float[] spectra, float[] luminance) {}
 

@@ -107,15 +107,11 @@ final class GridBaker {
     /** Returns grids with the same texels that hold spectral bands in place of X, Y, Z, {@link SpectralBands#TOGETHER} each. */
     List<ColorGrid> bands(ColorGrid grid, SpectralBands bands) {
         return IntStream.range(0, bands.tables())
-                .mapToObj(number -> under(bands.table(number), grid))
+                .mapToObj(number -> bake(bands.table(number), grid.level(), grid.shape()))
                 .toList();
     }
 
-    ColorGrid under(CieTable functions, ColorGrid grid) {
-        return bake(functions, grid.level(), grid.shape());
-    }
-
-    private ColorGrid bake(CieTable functions, ColorTable.Level level, GridShape shape) {
+    ColorGrid bake(CieTable functions, ColorTable.Level level, GridShape shape) {
         ColorGrid grid = ColorGrid.empty(level, shape);
         String label = "Colors, grid " + (levels.size() - levels.indexOf(level)) + " of " + levels.size() + " at most";
         try (ProgressDisplay.Progress progress = setup.progress().start(label, shape.evaluated())) {

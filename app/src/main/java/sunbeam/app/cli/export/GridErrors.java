@@ -46,7 +46,7 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
             DiffractionSetup setup, GridBaker gridBaker, ColorGrid read, CieTable weights, Optional<Integer> samples) {
         boolean isLight = weights.equals(setup.cie());
         GaussianArea area = read.level().area();
-        ColorGrid grid = isLight ? read : gridBaker.under(weights, read);
+        ColorGrid grid = isLight ? read : gridBaker.bake(weights, read.level(), read.shape());
         ExactLight exact = setup.withLight(weights).exact(new ReferenceMethod(area));
         ColorBaker baker = gridBaker.baker(weights, read.level());
         DirectionSampler sampler = new DirectionSampler(setup.patch().heights(), area.window(), SEED);

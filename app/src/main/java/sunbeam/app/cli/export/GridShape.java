@@ -6,11 +6,7 @@ import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.optics.CoherenceWindow;
 
-/**
- * Axes of a color grid; slices of |w|, at least {@link TableDesign#TAPS}, are its depth.
- *
- * @param largestAngle largest angle of light and view to the normal, radians
- */
+/** Axes of a color grid, with at least {@link TableDesign#TAPS} slices of |w|, and the largest angle to the normal, radians. */
 record GridShape(Axis u, Axis v, Axis depth, double largestAngle) {
     /** Largest |(u, v)|, and largest |w|, of any two directions. */
     static final double REACH = 2;

@@ -37,13 +37,7 @@ interface TableWriter {
 
     Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata);
 
-    /**
-     * Result of a conversion.
-     *
-     * @param files contents by ending; of a format that is one file, one content
-     * @param notes lines to print
-     * @param errors errors that are judged by the tolerance
-     */
+    /** Files by ending (one, of a format that is one file), lines to print, and the errors that the tolerance judges. */
     record Output(Map<String, AtomicFile.StreamContent> files, List<String> notes, ErrorStatistics errors) {
         Output(Map<String, AtomicFile.StreamContent> files, TableMetadata metadata) {
             this(files, List.of(), metadata.errors().sums());

@@ -36,9 +36,8 @@ final class PairDensity {
             sum += isInside(cell) ? weights.applyAsDouble(cell) * shared(radius(cell)) : 0;
             sums[cell] = sum;
         }
-        for (int cell = 0; cell < sums.length; cell++) {
-            sums[cell] /= sum;
-        }
+        double total = sum;
+        Arrays.setAll(sums, cell -> sums[cell] / total);
     }
 
     static double u(int cell) {

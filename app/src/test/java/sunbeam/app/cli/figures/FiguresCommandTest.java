@@ -6,18 +6,18 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.cli.collection.Collection;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.UsageException;
 
@@ -34,20 +34,13 @@ class FiguresCommandTest extends CommandLineFixture {
         for (int i = 0; i < 16; i++) {
             image.setRGB(i % 4, i / 4, words.contains("50nm") || words.contains("100nm") ? 0x404040 : 0x808080);
         }
-        try {
-            ImageIO.write(
-                    image,
-                    "png",
-                    Path.of(words.get(words.indexOf("--output") + 1).replaceFirst("(\\.png)?$", ".png"))
-                            .toFile());
-        } catch (IOException failure) {
-            throw new UncheckedIOException(failure);
-        }
+        String output = words.get(words.indexOf("--output") + 1).replaceFirst("(\\.png)?$", ".png");
+        PngWriter.write(Path.of(output), Overwrite.REPLACE, image, Map.of());
         return new Collection.Outcome(0, "", "");
     }
 
-    private List<Figure.Drawing> drawings(Figure figure) {
-        return figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36", "380:780:100"), folder);
+    private String page() throws IOException {
+        return Files.readString(folder.resolve("index.html"));
     }
 
     private int figures(String options) {
@@ -70,8 +63,10 @@ class FiguresCommandTest extends CommandLineFixture {
                 .isEqualTo(
                         "2.8 2.11 3.1 4.5 4.6 4.9 table-4.1 4.10 4.11 5.2 5.3 5.4 5.5 5.6 5.7 5.8 5.9 5.10 5.11 5.12 5.13"
                                 + " 5.14 5.15 5.16 5.17 5.18");
-        List<Figure.Drawing> drawings =
-                all.stream().flatMap(figure -> drawings(figure).stream()).toList();
+        Figure.Sizes sizes = new Figure.Sizes(24, "48x36", "380:780:100");
+        List<Figure.Drawing> drawings = all.stream()
+                .flatMap(figure -> figure.drawings(patch -> patch, sizes, folder).stream())
+                .toList();
         assertThat(drawings).extracting(Figure.Drawing::file).doesNotHaveDuplicates();
         assertThat(drawings)
                 .filteredOn(drawing -> drawing.picture().plot() == null)
@@ -99,8 +94,7 @@ class FiguresCommandTest extends CommandLineFixture {
         assertThat(figures("--only table-4.1")).isZero();
 
         assertThat(out.toString()).contains("FLSS, Elaphe, mean nm: thesis 1144.28, here 1144.11, difference -0.17");
-        assertThat(Files.readString(folder.resolve("index.html")))
-                .contains("<td>variance nm2</td><td>0.15</td><td>0.08</td><td>-0.07</td>");
+        assertThat(page()).contains("<td>variance nm2</td><td>0.15</td><td>0.08</td><td>-0.07</td>");
     }
 
     @Test
@@ -116,11 +110,13 @@ class FiguresCommandTest extends CommandLineFixture {
                         "--exposure", folder.resolve("5.5-blaze-1nm.png").toString())
                 .containsSequence("--patch", "blaze")
                 .endsWith("--resume");
-        String page = Files.readString(folder.resolve("index.html"));
-        assertThat(page).contains("Figure 5.5", "5.5-blaze-10nm.png", "--wavelength-step 10nm");
-        assertThat(page).as("what was not drawn").doesNotContain("5.5-blaze-25nm.png", "Figure 5.6");
-        // Two pictures are equal, the others' grays differ by 26 in lightness.
-        assertThat(page).contains("CIEDE2000 0.0 (median)").containsPattern("CIEDE2000 2[0-9] \\(median\\)");
+        assertThat(page())
+                .contains("Figure 5.5", "5.5-blaze-10nm.png", "--wavelength-step 10nm")
+                .as("what was not drawn")
+                .doesNotContain("5.5-blaze-25nm.png", "Figure 5.6")
+                .as("two pictures are equal, the others' grays differ by 26 in lightness")
+                .contains("CIEDE2000 0.0 (median)")
+                .containsPattern("CIEDE2000 2[0-9] \\(median\\)");
 
         runs.clear();
         assertThat(figures("--only 4.9 --force")).isZero();
@@ -130,7 +126,7 @@ class FiguresCommandTest extends CommandLineFixture {
         runs.clear();
         assertThat(figures("--only 4.9")).isZero();
         assertThat(runs).as("it is there").isEmpty();
-        assertThat(Files.readString(folder.resolve("index.html"))).contains("Figure 4.9");
+        assertThat(page()).contains("Figure 4.9");
     }
 
     @Test
@@ -142,7 +138,7 @@ class FiguresCommandTest extends CommandLineFixture {
                         "5\\.5 agrees: 95th percentile of CIEDE2000 from blaze-1nm: blaze-10nm 0\\.00, blaze-100nm 2")
                 .contains(
                         "5.6 differs: 95th percentile of CIEDE2000 from elaphe-1nm: elaphe-5nm 0.00, elaphe-10nm 0.00 (< 2.3, > 2.3)");
-        assertThat(Files.readString(folder.resolve("index.html"))).contains("<b>Check:</b> differs: 95th percentile");
+        assertThat(page()).contains("<b>Check:</b> differs: 95th percentile");
     }
 
     /** The program of this test writes none of the files that plots and checks of 4.5 and 5.11 read. */
@@ -151,13 +147,13 @@ class FiguresCommandTest extends CommandLineFixture {
         assertThat(figures("--only 4.5,5.11 --size 24")).isZero();
         assertThat(folder.resolve("5.11-blaze-errors.png")).doesNotExist();
         assertThat(folder.resolve("4.5-relief.png")).doesNotExist();
-        assertThat(Files.readString(folder.resolve("index.html"))).contains("a picture or a number is missing");
+        assertThat(page()).contains("a picture or a number is missing");
     }
 
     @Test
     void quickPicturesAreSmallAsTheirPageSays() throws IOException {
         figures("--only 5.5,5.14 --quick");
-        assertThat(Files.readString(folder.resolve("index.html"))).contains("<p>Drawn with --quick: ");
+        assertThat(page()).contains("<p>Drawn with --quick: ");
         assertThat(runs.get(0)).containsSequence("--size", "96");
         assertThat(runs.get(runs.size() - 1)).containsSequence("--size", "160x120");
     }
