@@ -124,7 +124,7 @@ record Figure(
         return Character.toUpperCase(named.charAt(0)) + named.substring(1) + ": " + title;
     }
 
-    record Drawing(String number, String patch, Picture picture, Path file, List<String> command, Optional<Path> base) {
+    record Drawing(Figure figure, String patch, Picture picture, Path file, List<String> command, Optional<Path> base) {
         /** True if the command has {@code --resume}: it redraws an existing picture only if the parameters differ. Others are kept. */
         boolean resumes() {
             return picture.plot() == null
@@ -204,16 +204,6 @@ record Figure(
         }
     }
 
-    Optional<Measure.Check.Verdict> verdict(List<Drawing> drawings) {
-        return check.verdict(own(drawings));
-    }
-
-    List<Drawing> own(List<Drawing> drawings) {
-        return drawings.stream()
-                .filter(drawing -> drawing.number().equals(number))
-                .toList();
-    }
-
     /** Returns the names of the patches, which have a row of pictures each; a single empty name if the commands name their own. */
     List<String> rows() {
         return patches == null ? List.of("") : patches;
@@ -232,7 +222,7 @@ record Figure(
         String template = picture.picture() == null ? "{stem}.png" : picture.picture();
         Path file = Path.of(template.replace("{stem}", stem));
         if (picture.plot() != null) {
-            return new Drawing(number, patch, picture, file, List.of(), Optional.empty());
+            return new Drawing(this, patch, picture, file, List.of(), Optional.empty());
         }
         UnaryOperator<String> values = name -> switch (name) {
             case "file" -> file.toString();
@@ -249,7 +239,7 @@ record Figure(
             words.add(NAME.matcher(word).replaceAll(name -> Matcher.quoteReplacement(values.apply(name.group(1)))));
         }
         if (!picture.command().startsWith("brdf-map") || picture.command().contains("{file}")) {
-            return new Drawing(number, patch, picture, file, words, Optional.empty());
+            return new Drawing(this, patch, picture, file, words, Optional.empty());
         }
         // Method gem has no absolute brightness, so it has its own exposure.
         Optional<Path> base = Optional.of(folder.resolve(stem(patch, pictures.get(0)) + ".png"))
@@ -258,7 +248,7 @@ record Figure(
         words.addAll(List.of("--no-annotate", "--size", Integer.toString(sizes.map())));
         base.ifPresent(first -> words.addAll(List.of("--exposure", first.toString())));
         words.addAll(List.of("--patch", source.apply(patch), "--output", file.toString()));
-        return new Drawing(number, patch, picture, file, words, base);
+        return new Drawing(this, patch, picture, file, words, base);
     }
 
     private String stem(String patch, Picture picture) {

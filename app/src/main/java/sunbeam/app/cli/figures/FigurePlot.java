@@ -37,8 +37,7 @@ enum FigurePlot {
     void draw(Figure.Drawing drawing, List<Figure.Drawing> all) {
         String ending = this == ERRORS ? ".npy" : ".csv";
         List<Figure.Drawing> results = all.stream()
-                .filter(other -> other.number().equals(drawing.number())
-                        && other.patch().equals(drawing.patch())
+                .filter(other -> other.patch().equals(drawing.patch())
                         && Files.exists(other.file())
                         && Files.isRegularFile(other.beside(ending)))
                 .toList();

@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.collection.Collection;
@@ -89,24 +91,22 @@ public final class FiguresCommand extends FileCommand {
         int side = size != null ? size : quick ? QUICK : STANDARD;
         UsageException.requireWithin("--size", side, 16, LARGEST);
         Figure.Sizes sizes = new Figure.Sizes(side, quick ? "160x120" : "360x270", quick ? "380:780:10" : "380:780:2");
-        List<Figure> figures = Figure.select(only);
-        List<Figure.Drawing> drawings = figures.stream()
-                .flatMap(figure -> figure.drawings(this::source, sizes, output).stream())
-                .toList();
+        Map<Figure, List<Figure.Drawing>> drawings = new LinkedHashMap<>();
+        Figure.select(only).forEach(figure -> drawings.put(figure, figure.drawings(this::source, sizes, output)));
         OutputFolder.createWithParents(output);
         checkPage();
         int code = draw(drawings);
-        AtomicFile.write(output.resolve(PAGE), Overwrite.REPLACE, AtomicFile.StreamContent.of(page(figures, drawings)));
+        AtomicFile.write(output.resolve(PAGE), Overwrite.REPLACE, AtomicFile.StreamContent.of(page(drawings)));
         List<Map<String, Object>> verdicts = new ArrayList<>();
-        for (Figure figure : figures) {
-            figure.verdict(drawings).ifPresent(verdict -> {
+        List<List<String>> numbers = new ArrayList<>();
+        drawings.forEach((figure, own) -> {
+            figure.check().verdict(own).ifPresent(verdict -> {
                 json.text(out()).println(figure.number() + " " + verdict);
                 verdicts.add(
                         Map.of("figure", figure.number(), "agrees", verdict.agrees(), "measured", verdict.numbers()));
             });
-        }
-        List<List<String>> numbers =
-                drawings.stream().flatMap(drawing -> drawing.numbers().stream()).toList();
+            own.forEach(drawing -> numbers.addAll(drawing.numbers()));
+        });
         numbers.forEach(row ->
                 json.text(out()).println(Text.format("%s, %s: thesis %s, here %s, difference %s", row.toArray())));
         json.print(out(), Map.of("verdicts", verdicts, "table", numbers), List.of(output.resolve(PAGE)));
@@ -126,11 +126,13 @@ public final class FiguresCommand extends FileCommand {
     }
 
     /** Returns the exit code of the first command that failed. */
-    private int draw(List<Figure.Drawing> drawings) {
+    private int draw(Map<Figure, List<Figure.Drawing>> drawings) {
         int code = ExitCode.OK.code();
-        try (ProgressDisplay.Progress progress = display.start("Figures", drawings.size())) {
-            for (Figure.Drawing drawing : drawings) {
-                int result = draw(drawing, drawings);
+        List<Figure.Drawing> all =
+                drawings.values().stream().flatMap(List::stream).toList();
+        try (ProgressDisplay.Progress progress = display.start("Figures", all.size())) {
+            for (Figure.Drawing drawing : all) {
+                int result = draw(drawing, drawings.get(drawing.figure()));
                 if (result == ExitCode.INTERRUPTED.code()) {
                     return result;
                 }
@@ -141,10 +143,10 @@ public final class FiguresCommand extends FileCommand {
         return code;
     }
 
-    private int draw(Figure.Drawing drawing, List<Figure.Drawing> drawings) {
+    private int draw(Figure.Drawing drawing, List<Figure.Drawing> own) {
         boolean replaced = overwrite() == Overwrite.REPLACE;
         if (drawing.picture().plot() != null) {
-            drawing.picture().plot().draw(drawing, drawings);
+            drawing.picture().plot().draw(drawing, own);
             return ExitCode.OK.code();
         }
         drawing.writeInput(output);
@@ -184,45 +186,38 @@ public final class FiguresCommand extends FileCommand {
         }
     }
 
-    private String page(List<Figure> figures, List<Figure.Drawing> drawings) {
+    private String page(Map<Figure, List<Figure.Drawing>> drawings) {
         StringBuilder html =
                 new StringBuilder(quick ? "<p>Drawn with --quick: small pictures, coarse responses.</p>\n" : "");
-        for (Figure figure : figures) {
-            String check = figure.verdict(drawings).map(String::valueOf).orElse("a picture or a number is missing");
+        drawings.forEach((figure, own) -> {
+            String check = figure.check().verdict(own).map(String::valueOf).orElse("a picture or a number is missing");
             html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p><b>Thesis:</b> ");
             html.append(escape(figure.thesis())).append("<br><b>Here:</b> ").append(escape(figure.ours()));
             html.append("<br><b>Check:</b> ").append(escape(check)).append("</p>\n");
-            html.append(table(figure, drawings));
+            html.append(table(own));
             for (String patch : figure.rows()) {
                 html.append("<div class=\"row\">\n");
-                figure.own(drawings).stream()
+                own.stream()
                         .filter(drawing -> drawing.patch().equals(patch)
                                 && !drawing.picture().hidden()
                                 && Files.isRegularFile(drawing.file()))
                         .forEach(drawing -> html.append(picture(drawing)));
                 html.append("</div>\n");
             }
-        }
+        });
         return Environment.resource(FiguresCommand.class, "page.html")
                 .replace("@VERSION@", Environment.version())
                 .replace("@FIGURES@", html);
     }
 
-    private static String table(Figure figure, List<Figure.Drawing> drawings) {
-        List<List<String>> rows = figure.own(drawings).stream()
+    private static String table(List<Figure.Drawing> drawings) {
+        String head = "<table><tr><th>patch</th><th></th><th>thesis</th><th>here</th><th>difference</th></tr>\n";
+        String rows = drawings.stream()
                 .flatMap(drawing -> drawing.numbers().stream())
-                .toList();
-        if (rows.isEmpty()) {
-            return "";
-        }
-        StringBuilder html = new StringBuilder(
-                "<table><tr><th>patch</th><th></th><th>thesis</th><th>here</th><th>difference</th></tr>\n");
-        for (List<String> row : rows) {
-            html.append("<tr>");
-            row.forEach(cell -> html.append("<td>").append(escape(cell)).append("</td>"));
-            html.append("</tr>\n");
-        }
-        return html.append("</table>\n").toString();
+                .map(row -> row.stream().map(FiguresCommand::escape).collect(Collectors.joining("</td><td>")))
+                .map(cells -> "<tr><td>" + cells + "</td></tr>\n")
+                .collect(Collectors.joining());
+        return rows.isEmpty() ? "" : head + rows + "</table>\n";
     }
 
     private String picture(Figure.Drawing drawing) {
