@@ -55,6 +55,10 @@ import sunbeam.precompute.text.Text;
 public final class BenchmarkCommand extends FileCommand {
     private static final List<String> PATCHES = List.of("blaze", "elaphe-like");
     private static final int MOST_VIEWS = 10_000;
+    static final String THESIS = "full, thesis";
+
+    private static final Map<MethodType, List<Double>> TOLERANCES =
+            Map.of(FullMethod.TYPE, List.of(1e-2, 1e-3, 1e-4), TableMethod.TYPE, List.of(1e-2, 1e-3));
 
     @Option(
             names = "--patch",
@@ -141,69 +145,64 @@ public final class BenchmarkCommand extends FileCommand {
     private List<Measurement> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
         DiffractionSetup setup =
                 new DiffractionSetup(patch, environment(), err()).withLight(LightTable.of(methodOptions.choices()));
-        List<Contender> contenders = new ArrayList<>(List.of(Contender.THESIS));
-        contenders.addAll(Contender.of(setup.limitToScan(asked, err())));
+        Map<String, Method> contenders = contenders(setup.limitToScan(asked, err()));
         Optional<Meter.ExactViews> views =
                 samples == 0 ? Optional.empty() : Optional.of(new Meter.ExactViews(setup, meter.light(), samples));
         List<Measurement> rows = new ArrayList<>();
         try (Progress progress = environment().progress().start("Benchmark " + patch.name(), contenders.size())) {
-            for (Contender contender : contenders) {
+            contenders.forEach((name, method) -> {
                 try {
-                    rows.add(meter.measure(setup, contender.name(), contender.method(), views));
+                    rows.add(meter.measure(setup, name, method, views));
                 } catch (GraphicsException | SettingException unmeasured) {
-                    if (!Contender.isMethodOpen(asked) || rows.isEmpty()) {
+                    if (!isMethodOpen(asked) || rows.isEmpty()) {
                         throw unmeasured;
                     }
-                    remarks.add(contender.name() + " is not measured: " + unmeasured.getMessage());
+                    remarks.add(name + " is not measured: " + unmeasured.getMessage());
                 }
                 progress.step(1);
-            }
+            });
         }
         return rows;
     }
 
-    record Contender(String name, Method method) {
-        static final Contender THESIS = new Contender("full, thesis", FullMethod.thesis());
+    /** True if the user has chosen neither a method nor a setting that only some methods have. */
+    private static boolean isMethodOpen(Choices choices) {
+        List<Setting<?>> common = Setting.union(List.of(TOLERANCE), GaussianArea.SETTINGS, LightSettings.ALL);
+        return choices.only(Methods.SETTINGS).without(common).chosen().isEmpty();
+    }
 
-        private static final Map<MethodType, List<Double>> TOLERANCES =
-                Map.of(FullMethod.TYPE, List.of(1e-2, 1e-3, 1e-4), TableMethod.TYPE, List.of(1e-2, 1e-3));
-
-        /** True if the user has chosen neither a method nor a setting that only some methods have. */
-        static boolean isMethodOpen(Choices choices) {
-            List<Setting<?>> common = Setting.union(List.of(TOLERANCE), GaussianArea.SETTINGS, LightSettings.ALL);
-            return choices.only(Methods.SETTINGS).without(common).chosen().isEmpty();
+    /**
+     * Returns, by name, the thesis's shader and the chosen method or, if none is chosen, all but the reference, {@code full} and
+     * {@code table} at several tolerances.
+     */
+    private static Map<String, Method> contenders(Choices choices) {
+        Map<String, Method> all = new LinkedHashMap<>(Map.of(THESIS, FullMethod.thesis()));
+        if (!isMethodOpen(choices)) {
+            all.put(name(choices, Methods.of(choices).type()), Methods.of(choices));
+            return all;
         }
-
-        /** Returns the chosen method or, if none is chosen, all but the reference, {@code full} and {@code table} at several tolerances. */
-        static List<Contender> of(Choices choices) {
-            if (!isMethodOpen(choices)) {
-                return List.of(of(choices, Methods.of(choices)));
-            }
-            return Methods.ALL.stream()
-                    .filter(type -> !type.equals(ReferenceMethod.TYPE))
-                    .flatMap(type -> variants(type, choices).map(one -> of(one, type.create(one))))
-                    .toList();
-        }
-
-        private static Stream<Choices> variants(MethodType type, Choices choices) {
-            return choices.has(TOLERANCE) || !TOLERANCES.containsKey(type)
+        for (MethodType type : Methods.ALL) {
+            List<Double> tolerances = choices.has(TOLERANCE) ? List.of() : TOLERANCES.getOrDefault(type, List.of());
+            Stream<Choices> variants = tolerances.isEmpty()
                     ? Stream.of(choices)
-                    : TOLERANCES.get(type).stream().map(tolerance -> choices.with(TOLERANCE, tolerance));
+                    : tolerances.stream().map(tolerance -> choices.with(TOLERANCE, tolerance));
+            variants.filter(one -> !type.equals(ReferenceMethod.TYPE))
+                    .forEach(one -> all.put(name(one, type), type.create(one)));
         }
+        return all;
+    }
 
-        private static Contender of(Choices choices, Method method) {
-            MethodType type = method.type();
-            StringBuilder name = new StringBuilder(type.label());
-            if (Preset.isThesis(choices)) {
-                name.append(", preset thesis");
-            } else if (type.has(TOLERANCE)) {
-                String tolerance = Text.format("%.1e", choices.get(TOLERANCE));
-                name.append(", tolerance ").append(tolerance.replace(".0e", "e").replace("e-0", "e-"));
-            }
-            if (type.has(AVERAGE) && choices.get(AVERAGE) == Average.ENSEMBLE) {
-                name.append(", ensemble");
-            }
-            return new Contender(name.toString(), method);
+    private static String name(Choices choices, MethodType type) {
+        StringBuilder name = new StringBuilder(type.label());
+        if (Preset.isThesis(choices)) {
+            name.append(", preset thesis");
+        } else if (type.has(TOLERANCE)) {
+            String tolerance = Text.format("%.1e", choices.get(TOLERANCE));
+            name.append(", tolerance ").append(tolerance.replace(".0e", "e").replace("e-0", "e-"));
         }
+        if (type.has(AVERAGE) && choices.get(AVERAGE) == Average.ENSEMBLE) {
+            name.append(", ensemble");
+        }
+        return name.toString();
     }
 }

@@ -167,7 +167,7 @@ final class BenchmarkPage {
         for (Measurement row : rows) {
             double[] x = {1e6 * row.secondsPerPixel()};
             double[] y = {Math.max(LEAST, row.errors().median())};
-            if (row.method().equals(BenchmarkCommand.Contender.THESIS.name())) {
+            if (row.method().equals(BenchmarkCommand.THESIS)) {
                 plot.rings(row.method(), x, y);
             } else {
                 plot.points(row.method(), x, y);
