@@ -72,13 +72,6 @@ record BsdfMaterial(Shape shape, HalfVectors.Density azimuths, List<Slice> slice
         return 1 / (cosine * cosine);
     }
 
-    /** Returns the BRDF times the cosine of the second direction, 1/sr, for power 1. */
-    static double reflected(DirectionPair pair, double sigmaMeters, double wavelength) {
-        double kirchhoff = 1 + pair.wi().dot(pair.wr());
-        double ratio = kirchhoff * sigmaMeters / (wavelength * pair.w());
-        return Gain.reflectance(pair.cosThetaD()) * 4 * Math.PI * ratio * ratio / pair.cosThetaI();
-    }
-
     /** Evaluates the material as readers do: BRDF times the cosine of the second direction, 1/sr, for a wavelength in meters. */
     double eval(DirectionPair pair, double wavelength) {
         Direction wi = pair.wi();

@@ -22,6 +22,7 @@ import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.text.Text;
 
@@ -117,8 +118,9 @@ record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
                 .toList();
         List<Comparison> compared = metadata.setup().progress().map("Exact powers", queries, query -> {
             double power = exact.power(query.pair(), query.wavelength());
+            double unit = Gain.brdf(query.pair(), exact.window(), query.wavelength());
             double read = material.eval(query.pair(), query.wavelength())
-                    / BsdfMaterial.reflected(query.pair(), exact.window().sigmaMeters(), query.wavelength());
+                    / (unit * query.pair().cosThetaR());
             double divisor = metadata.divisor()
                     .map(found -> found.at(query.pair().wi(), query.wavelength()))
                     .orElse(1.0);

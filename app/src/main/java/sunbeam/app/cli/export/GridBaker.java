@@ -13,7 +13,6 @@ import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.RadialBaker;
-import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.spectrum.PowerSpectrum;
@@ -123,6 +122,6 @@ final class GridBaker {
     /** Returns the baker of a level; its direct sums over wavelengths serve to measure a grid's error. */
     ColorBaker baker(CieTable functions, ColorTable.Level level) {
         boolean isFinest = level.area().equals(plan.table().area());
-        return new RadialBaker(spectrum, functions, level.area(), level.design(), TableSpace.AllLights.REACH, isFinest);
+        return new RadialBaker(spectrum, functions, level.area(), level.design(), GridShape.REACH, isFinest);
     }
 }
