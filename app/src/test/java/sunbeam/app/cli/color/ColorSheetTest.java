@@ -30,10 +30,6 @@ class ColorSheetTest {
     private static final CieTable CIE = CieTable.load();
     private static final double EXPOSURE = 0.3;
 
-    private static ViewColor seen(boolean along, double thetaR) {
-        return seen(along, thetaR, 1);
-    }
-
     private static ViewColor seen(boolean along, double thetaR, double factor) {
         Direction wr = Direction.ofDegrees(Math.abs(thetaR), thetaR < 0 ? 180 : 0);
         ViewColor.View view = new ViewColor.View(
@@ -47,9 +43,9 @@ class ColorSheetTest {
 
     private static ColorReport report(String name) {
         List<ViewColor> colors = Stream.of(true, false)
-                .flatMap(along -> IntStream.rangeClosed(-8, 8).mapToObj(i -> seen(along, 10 * i)))
+                .flatMap(along -> IntStream.rangeClosed(-8, 8).mapToObj(i -> seen(along, 10 * i, 1)))
                 .collect(Collectors.toCollection(ArrayList::new));
-        ViewColor purest = seen(true, -30);
+        ViewColor purest = seen(true, -30, 1);
         HeightMap flat = new HeightMap(2, 2, 1e-6, 1e-6, new double[4]);
         Patch patch = new Patch(name, flat, name, List.of());
         return new ColorReport(
@@ -112,7 +108,7 @@ class ColorSheetTest {
         // Grains 5 nm wide; one is three times as bright as its neighbors.
         DoubleUnaryOperator speckled =
                 i -> gaussian.applyAsDouble(i) * (i % 10 < 5 ? 2 : 0) * ((int) i / 10 == 17 ? 3 : 1);
-        ViewColor.View view = seen(true, 0).view();
+        ViewColor.View view = seen(true, 0, 1).view();
         // The quartiles of a normal distribution.
         assertThat(ColorReport.Spectrum.of(view, fine(gaussian)).width()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
         // The grain has a fifth of the light, so the quartiles move closer by about a fifth.

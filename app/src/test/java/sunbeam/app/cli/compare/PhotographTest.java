@@ -174,12 +174,9 @@ class PhotographTest {
         assertThat(luminance(mean, 0)).isEqualTo(0.25f * 0.21405f, EXACT);
         assertThat(mean.picture().rgba()[3]).isEqualTo(0.75f, EXACT);
         assertThat(mean.clipped()[0]).isTrue();
-    }
 
-    /** Three columns of 0, 1, 0 become two columns of a third each. */
-    @Test
-    void pixelsAreSharedByTheirArea() throws IOException {
-        png(3, GRAY, new byte[0], 0, 65_535, 0);
+        // Three columns of 0, 1, 0 become two columns of a third each.
+        png(3, GRAY, new byte[0], 0, one, 0);
         Photograph.Linear two = Photograph.read(file).reduced(2, 1);
         assertThat(luminance(two, 0)).isEqualTo(1 / 3f, EXACT);
         assertThat(luminance(two, 1)).isEqualTo(1 / 3f, EXACT);
@@ -196,6 +193,9 @@ class PhotographTest {
         assertThat(luminance(photo, 0)).isEqualTo(0.5f, profiled);
         assertThat(photo.picture().rgba()[2]).isEqualTo(0.5f * 1.08883f, profiled);
         assertThat(luminance(photo, 1)).isEqualTo(0.5f * 0.2126729f, profiled);
+        // Java's gray profile is linear.
+        png(1, GRAY, profile(ColorSpace.CS_GRAY), 32_768);
+        assertThat(luminance(whole(), 0)).isEqualTo(0.5f, profiled);
     }
 
     /** Photo YCC mixes its three channels. A red sample of 0.6 in sRGB has 0.3185 of the light. */
@@ -208,13 +208,6 @@ class PhotographTest {
         png(1, RGB, profile, samples);
         // Both conversions have 8-bit tables: three steps at 0.6 are 3 % of light.
         assertThat(luminance(whole(), 0)).isEqualTo(0.3185f * 0.2126729f, within(0.03f * 0.2126729f));
-    }
-
-    /** Java's gray profile is linear. */
-    @Test
-    void aGrayProfileHoldsForGraySamples() throws IOException {
-        png(1, GRAY, profile(ColorSpace.CS_GRAY), 32_768);
-        assertThat(luminance(whole(), 0)).isEqualTo(0.5f, within(5e-4f));
     }
 
     /** Truncated profiles and damaged headers, tag tables and tags end in one line, never in another exception. */

@@ -156,6 +156,10 @@ class FiguresCommandTest extends CommandLineFixture {
         assertThat(page()).contains("<p>Drawn with --quick: ");
         assertThat(runs.get(0)).containsSequence("--size", "96");
         assertThat(runs.get(runs.size() - 1)).containsSequence("--size", "160x120");
+        assertThat(figures("--only 2.8 --output " + folder.resolve("a/b")))
+                .as("folders above are made")
+                .isZero();
+        assertThat(folder.resolve("a/b/2.8-functions.png")).isRegularFile();
     }
 
     @Test
@@ -164,12 +168,6 @@ class FiguresCommandTest extends CommandLineFixture {
         assertThat(Files.readString(folder.resolve("5.17-4.1.scene.json"))).contains("\"fieldOfView\" : \"4.1 deg\"");
         // (0.6, 0.5) turned by 10 degrees.
         assertThat(Files.readString(folder.resolve("5.18-10.scene.json"))).containsPattern("\\[ 0\\.504\\d*, 0\\.596");
-    }
-
-    @Test
-    void foldersAboveTheOutputAreMade() {
-        assertThat(figures("--only 2.8 --output " + folder.resolve("a/b"))).isZero();
-        assertThat(folder.resolve("a/b/2.8-functions.png")).isRegularFile();
     }
 
     @Test
