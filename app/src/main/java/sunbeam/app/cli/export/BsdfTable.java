@@ -132,10 +132,10 @@ record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
                 .toArray());
     }
 
-    /** An array of bytes, or, if these are null, of float32 numbers in consecutive portions. */
-    private record Field(String name, long[] shape, byte[] bytes, List<float[]> values) {
+    /** An array of bytes or of float32 numbers. */
+    private record Field(String name, byte type, long[] shape, AtomicFile.StreamContent content) {
         static Field of(String name, byte... bytes) {
-            return new Field(name, new long[] {bytes.length}, bytes, List.of());
+            return new Field(name, UINT8, new long[] {bytes.length}, stream -> stream.write(bytes));
         }
 
         static Field of(String name, String text) {
@@ -143,8 +143,15 @@ record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
         }
 
         static Field of(String name, BsdfMaterial material, Function<Slice, float[]> array, long... shape) {
-            return new Field(
-                    name, shape, null, material.slices().stream().map(array).toList());
+            return of(name, material.slices().stream().map(array).toList(), shape);
+        }
+
+        static Field of(String name, List<float[]> portions, long... shape) {
+            return new Field(name, FLOAT32, shape, stream -> {
+                for (float[] portion : portions) {
+                    NpyWriter.writeValues(stream, portion);
+                }
+            });
         }
 
         /** Returns a field with a curve along its last axis, the same at each index of the axis before. */
@@ -153,11 +160,11 @@ record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
             for (int i = 0; i < values.length; i++) {
                 values[i] = (float) curve.applyAsDouble(i);
             }
-            return new Field(name, shape, null, Collections.nCopies(shape.length == 1 ? 1 : (int) shape[0], values));
+            return of(name, Collections.nCopies(shape.length == 1 ? 1 : (int) shape[0], values), shape);
         }
 
         private long size() {
-            return Arrays.stream(shape).reduce(1, Math::multiplyExact) * (bytes == null ? Float.BYTES : 1);
+            return Arrays.stream(shape).reduce(1, Math::multiplyExact) * (type == FLOAT32 ? Float.BYTES : 1);
         }
 
         private int headBytes() {
@@ -174,20 +181,14 @@ record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
         long offset = header.capacity();
         for (Field field : fields) {
             header.putShort((short) field.name().length()).put(field.name().getBytes(StandardCharsets.US_ASCII));
-            header.putShort((short) field.shape().length).put(field.bytes() == null ? FLOAT32 : UINT8);
+            header.putShort((short) field.shape().length).put(field.type());
             header.putLong(offset);
             Arrays.stream(field.shape()).forEach(header::putLong);
             offset += aligned(field.size());
         }
         stream.write(header.array());
         for (Field field : fields) {
-            if (field.bytes() == null) {
-                for (float[] portion : field.values()) {
-                    NpyWriter.writeValues(stream, portion);
-                }
-            } else {
-                stream.write(field.bytes());
-            }
+            field.content().writeTo(stream);
             stream.write(new byte[(int) (aligned(field.size()) - field.size())]);
         }
     }

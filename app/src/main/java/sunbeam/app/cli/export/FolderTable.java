@@ -1,5 +1,6 @@
 package sunbeam.app.cli.export;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
@@ -138,30 +139,24 @@ record FolderTable(boolean isGlsl) implements TableWriter {
             ints(head, R16G16B16A16_SFLOAT, Short.BYTES, width, height, 0, layers, 1, levels.size(), 0);
             ints(head, descriptor, Integer.BYTES + DESCRIPTOR_BYTES, keysAt, keys.length);
             head.putLong(0).putLong(0);
-            long at = dataAt;
-            for (int level = levels.size() - 1; level >= 0; level--) {
-                head.putLong(HEADER_BYTES + LEVEL_BYTES * level, at);
-                at += bytes(level);
-            }
-            for (int level = 0; level < levels.size(); level++) {
-                head.position(HEADER_BYTES + LEVEL_BYTES * level + Long.BYTES);
-                head.putLong(bytes(level)).putLong(bytes(level));
+            // KTX2 stores the smallest level first.
+            long at = dataAt + levels.stream().mapToLong(Ktx2File::bytes).sum();
+            for (short[] level : levels) {
+                at -= bytes(level);
+                head.putLong(at).putLong(bytes(level)).putLong(bytes(level));
             }
             describe(head);
             head.put(keys);
             stream.write(head.array());
-            // KTX2 stores the smallest level first.
             for (int level = levels.size() - 1; level >= 0; level--) {
-                short[] values = levels.get(level);
-                ByteBuffer bytes =
-                        ByteBuffer.allocate(values.length * Short.BYTES).order(ByteOrder.LITTLE_ENDIAN);
-                bytes.asShortBuffer().put(values);
+                ByteBuffer bytes = ByteBuffer.allocate((int) bytes(levels.get(level)));
+                bytes.order(ByteOrder.LITTLE_ENDIAN).asShortBuffer().put(levels.get(level));
                 stream.write(bytes.array());
             }
         }
 
-        private long bytes(int level) {
-            return (long) levels.get(level).length * Short.BYTES;
+        private static long bytes(short[] level) {
+            return (long) level.length * Short.BYTES;
         }
 
         /** Writes Khronos's basic data format descriptor: linear, four signed floats of 16 bits. */
@@ -183,17 +178,14 @@ record FolderTable(boolean isGlsl) implements TableWriter {
         }
 
         private byte[] keys() {
-            byte[] writer = "KTXwriter\0sunbeam\0".getBytes(StandardCharsets.UTF_8);
-            byte[] text = ("sunbeam\0" + metadata + "\0").getBytes(StandardCharsets.UTF_8);
-            ByteBuffer keys = ByteBuffer.allocate(2 * Integer.BYTES + padded(writer) + padded(text))
-                    .order(ByteOrder.LITTLE_ENDIAN);
-            keys.putInt(writer.length).put(writer).position(Integer.BYTES + padded(writer));
-            keys.putInt(text.length).put(text);
-            return keys.array();
-        }
-
-        private static int padded(byte[] bytes) {
-            return (bytes.length + Integer.BYTES - 1) / Integer.BYTES * Integer.BYTES;
+            ByteArrayOutputStream keys = new ByteArrayOutputStream();
+            for (String entry : List.of("KTXwriter\0sunbeam\0", "sunbeam\0" + metadata + "\0")) {
+                byte[] bytes = entry.getBytes(StandardCharsets.UTF_8);
+                int padded = (bytes.length + Integer.BYTES - 1) / Integer.BYTES * Integer.BYTES;
+                ByteBuffer value = ByteBuffer.allocate(Integer.BYTES + padded).order(ByteOrder.LITTLE_ENDIAN);
+                keys.writeBytes(value.putInt(bytes.length).put(bytes).array());
+            }
+            return keys.toByteArray();
         }
     }
 }
