@@ -1,6 +1,5 @@
 package jrtr;
 
-import org.joml.Matrix4fc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
@@ -70,12 +69,5 @@ public record VertexData(
     }
 
     /** Sphere in the shape's coordinates and units, with a radius of at least 0. */
-    public record BoundingSphere(Vector3fc center, float radius) {
-        public BoundingSphere transformed(Matrix4fc transformation) {
-            Vector3f moved = transformation.transformPosition(center, new Vector3f());
-            // The Frobenius norm bounds the factor by which the matrix lengthens a vector, in any shear.
-            float stretch = transformation.getScale(new Vector3f()).length();
-            return new BoundingSphere(moved, radius * stretch);
-        }
-    }
+    public record BoundingSphere(Vector3fc center, float radius) {}
 }

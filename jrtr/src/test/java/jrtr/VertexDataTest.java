@@ -5,9 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import jrtr.VertexData.BoundingSphere;
-import org.joml.Matrix4f;
 import org.joml.Vector3f;
-import org.joml.Vector3fc;
 import org.junit.jupiter.api.Test;
 
 class VertexDataTest {
@@ -41,26 +39,5 @@ class VertexDataTest {
         assertThat(bounds.center()).isEqualTo(new Vector3f(3, 1, 0));
         // Two vertices lie at (2, 1) from the box's middle.
         assertThat(bounds.radius()).isCloseTo((float) Math.sqrt(5), within(1e-6f));
-    }
-
-    @Test
-    void aTransformedSphereHoldsTheTransformedPoints() {
-        BoundingSphere unit = new BoundingSphere(new Vector3f(), 1);
-        Matrix4f shear = new Matrix4f().m10(3);
-        Matrix4f turnedAndScaled =
-                new Matrix4f().translate(1, 2, 3).rotateX(0.7f).scale(1, 4, 2);
-
-        for (Matrix4f matrix : new Matrix4f[] {shear, turnedAndScaled}) {
-            BoundingSphere moved = unit.transformed(matrix);
-            for (int i = 0; i < 200; i++) {
-                double polar = Math.PI * i / 200;
-                double turn = 2.4 * i;
-                Vector3f point = new Vector3f(
-                        (float) (Math.sin(polar) * Math.cos(turn)), (float) (Math.sin(polar) * Math.sin(turn)), (float)
-                                Math.cos(polar));
-                Vector3fc image = matrix.transformPosition(point);
-                assertThat(image.distance(moved.center())).isLessThanOrEqualTo(moved.radius());
-            }
-        }
     }
 }

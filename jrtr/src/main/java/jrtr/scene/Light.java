@@ -8,7 +8,7 @@ import org.joml.Vector3fc;
 /**
  * Parallel rays, as from the sun.
  *
- * @param towards direction from the scene to the light in world space; normalized
+ * @param towards direction from the scene to the light in world space, of a length above 0; normalized
  * @param radiance linear color in the unit of the application's shaders
  */
 public record Light(Vector3fc towards, Vector3fc radiance) {
@@ -16,12 +16,7 @@ public record Light(Vector3fc towards, Vector3fc radiance) {
     public static final int MOST = 8;
 
     public Light {
-        float length = towards.length();
-        if (!(length > 0) || Float.isInfinite(length)) {
-            throw new IllegalArgumentException("light's direction (" + towards.x() + ", " + towards.y() + ", "
-                    + towards.z() + ") must have a finite length above 0");
-        }
-        towards = towards.div(length, new Vector3f());
+        towards = towards.div(towards.length(), new Vector3f());
     }
 
     /** Sets the uniforms of jrtr/lights.glsl, at most {@link #MOST} lights, as far as the program uses them. */

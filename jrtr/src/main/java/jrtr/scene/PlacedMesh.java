@@ -2,13 +2,11 @@ package jrtr.scene;
 
 import java.util.Map;
 import jrtr.Tile;
-import jrtr.VertexData.BoundingSphere;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
-import org.joml.FrustumIntersection;
 import org.joml.Matrix3f;
 import org.joml.Matrix4fc;
 
@@ -23,9 +21,6 @@ public record PlacedMesh(
         ShaderProgram program,
         Map<String, Texture> textures,
         RenderContext.Faces faces) {
-    /** Factor on bounding radii, because the frustum's planes from float matrices err by a few 1e-6. */
-    private static final float CULLING_RADIUS_FACTOR = 1.001f;
-
     /** Sets the uniforms of jrtr/tangent_frame.glsl: rotation in radians about the normal, counter-clockwise seen from outside. */
     public static void turnTangents(ShaderProgram program, double radians) {
         program.set("tangentCosine", (float) Math.cos(radians));
@@ -39,17 +34,7 @@ public record PlacedMesh(
      * @param area part of the picture that the target, which has depth, shows; it has the target's size in pixels
      */
     public void draw(RenderContext context, View view, View.Area area, FloatTarget target, Tile tile) {
-        if (area.part().width() != target.spec().width()
-                || area.part().height() != target.spec().height()) {
-            throw new IllegalArgumentException("target '" + target.label() + "' of "
-                    + target.spec().width() + " x " + target.spec().height() + " cannot show " + area.part());
-        }
         target.clear(tile, 0, 0, 0, 0);
-        BoundingSphere bounds = mesh.bounds().transformed(modelToWorld);
-        FrustumIntersection frustum = new FrustumIntersection(view.worldToClip(area.within(tile)));
-        if (!frustum.testSphere(bounds.center(), CULLING_RADIUS_FACTOR * bounds.radius())) {
-            return;
-        }
         program.set("modelToWorld", modelToWorld);
         // The inverse transpose keeps normals orthogonal to the surface under any scaling.
         program.set("normalToWorld", modelToWorld.normal(new Matrix3f()));

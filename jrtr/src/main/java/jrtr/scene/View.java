@@ -14,17 +14,6 @@ import org.joml.Vector3fc;
  * @param near distance of the near plane, above 0; the far plane is farther
  */
 public record View(Camera camera, float verticalFieldOfView, float leastAspect, float near, float far) {
-    public View {
-        boolean angle = verticalFieldOfView > 0 && verticalFieldOfView < Math.PI;
-        if (!(leastAspect >= 0) || Float.isInfinite(leastAspect)) {
-            throw new IllegalArgumentException("least aspect " + leastAspect + " of a view; it must be 0 or above");
-        }
-        if (!angle || !(near > 0) || !(far > near) || Float.isInfinite(far)) {
-            throw new IllegalArgumentException("view of " + verticalFieldOfView + " rad from " + near + " to " + far
-                    + ": the angle must lie between 0 and pi, and 0 < near < far");
-        }
-    }
-
     public View(Camera camera, float verticalFieldOfView, float near, float far) {
         this(camera, verticalFieldOfView, 0, near, far);
     }
@@ -75,20 +64,8 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
      * @param part rectangle of the picture, of the target's size
      */
     public record Area(int pictureWidth, int pictureHeight, Tile part) {
-
-        public Area {
-            if (!part.fitsIn(pictureWidth, pictureHeight)) {
-                throw new IllegalArgumentException(
-                        part + " is not inside a picture of " + pictureWidth + " x " + pictureHeight);
-            }
-        }
-
         public static Area whole(int width, int height) {
             return new Area(width, height, Tile.whole(width, height));
-        }
-
-        Area within(Tile tile) {
-            return new Area(pictureWidth, pictureHeight, part.part(tile));
         }
 
         Matrix4f wholeToPart() {

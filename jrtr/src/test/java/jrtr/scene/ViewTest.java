@@ -9,8 +9,6 @@ import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 
 class ViewTest {
     private static final float FIELD = 0.8f;
@@ -49,20 +47,6 @@ class ViewTest {
             Vector3f there = narrow.transformProject(new Vector3f(diagonal));
             assertThat(there.x * width).as("pixels are square").isCloseTo(there.y * 300, within(1e-4f));
         }
-    }
-
-    @ParameterizedTest
-    @CsvSource({"1, -1, 1, 2", "1, NaN, 1, 2", "0, 0, 1, 2", "3.2, 0, 1, 2", "1, 0, 0, 2", "1, 0, 2, 2", "NaN, 0, 1, 2"
-    })
-    void invalidViewsAreRefused(float angle, float aspect, float near, float far) {
-        assertThatThrownBy(() -> new View(CAMERA, angle, aspect, near, far))
-                .isInstanceOf(IllegalArgumentException.class);
-    }
-
-    @Test
-    void partsOutsideThePictureAreRefused() {
-        assertThatThrownBy(() -> new View.Area(10, 10, new Tile(5, 5, 6, 5)))
-                .isInstanceOf(IllegalArgumentException.class);
     }
 
     @Test
