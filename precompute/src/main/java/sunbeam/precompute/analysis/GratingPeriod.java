@@ -88,7 +88,7 @@ public record GratingPeriod(
 
     private static GratingPeriod of(Patch patch, Predicate<SpatialFrequency> which, String where) {
         HeightMap scan = measured(patch.scan(), patch.faults());
-        GratingPeriod nothing = vague(new SpatialFrequency(0, 0), 0, 0);
+        GratingPeriod nothing = vague(List.of(), 0, 0);
         if (!(scan.relief() > 0)) {
             return nothing.none("flat: a mirror without color");
         }
@@ -145,23 +145,18 @@ public record GratingPeriod(
                 .orElse(scan);
     }
 
-    static GratingPeriod vague(SpatialFrequency wave, double periods, double share) {
-        return new GratingPeriod(
-                wave, 0, Double.POSITIVE_INFINITY, Math.PI, periods, share, List.of(), Certainty.SURE, "");
-    }
-
-    static GratingPeriod exact(SpatialFrequency wave, double share) {
-        return vague(wave, Double.POSITIVE_INFINITY, share).within(wave.length(), wave.length(), 0);
+    /** @param waves the strongest first; none for a surface without a wave */
+    static GratingPeriod vague(List<SpatialFrequency> waves, double periods, double share) {
+        SpatialFrequency wave = waves.isEmpty() ? new SpatialFrequency(0, 0) : waves.get(0);
+        List<SpatialFrequency> others = waves.isEmpty() ? waves : waves.subList(1, waves.size());
+        double longest = Double.POSITIVE_INFINITY;
+        return new GratingPeriod(wave, 0, longest, Math.PI, periods, share, others, Certainty.SURE, "");
     }
 
     /** Sets the interval of the frequency, cycles per meter, and the half width of the direction's interval, radians. */
     GratingPeriod within(double lowest, double highest, double halfWidth) {
         double longest = lowest > 0 ? 1 / lowest : Double.POSITIVE_INFINITY;
         return new GratingPeriod(wave, 1 / highest, longest, halfWidth, periods, share, others, certainty, reason);
-    }
-
-    GratingPeriod withOthers(List<SpatialFrequency> crossing) {
-        return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, crossing, certainty, reason);
     }
 
     GratingPeriod withCertainty(Certainty known, String why) {

@@ -2,6 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.Optional;
 import java.util.function.IntPredicate;
+import java.util.function.IntToDoubleFunction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Plausibility;
 import sunbeam.precompute.prepare.Leveling;
@@ -40,26 +41,24 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         int rows = map.rows() > 1 ? padding * map.rows() : 1;
         Band bandX = band(columns, map.pitchX());
         Band bandY = band(rows, map.pitchY());
+        IntToDoubleFunction tapering = i -> level.heights()[i] * taperX[i % map.columns()] * taperY[i / map.columns()];
         double[] power = new BandTransform2d(columns, rows, bandX, bandY).powers((samples, row) -> {
             for (int column = 0; row < map.rows() && column < map.columns(); column++) {
-                samples[column] = level.at(column, row) * taperX[column] * taperY[row];
+                samples[column] = tapering.applyAsDouble(row * map.columns() + column);
             }
         });
         double squares = 0;
-        for (int row = 0; row < map.rows(); row++) {
-            for (int column = 0; column < map.columns(); column++) {
-                double height = level.at(column, row) * taperX[column] * taperY[row];
-                squares += height * height;
-            }
+        for (int i = 0; i < level.heights().length; i++) {
+            double height = tapering.applyAsDouble(i);
+            squares += height * height;
         }
         return new HeightSpectrum(
                 bandX, bandY, columns * map.pitchX(), rows * map.pitchY(), power, squares / columns / rows);
     }
 
     private static Band band(int samples, double pitch) {
-        int nyquist = (samples - 1) / 2;
         int visible = (int) Math.ceil(samples * pitch / SHORTEST_PERIOD);
-        int reach = Math.min(nyquist, visible);
+        int reach = Math.min((samples - 1) / 2, visible);
         return Band.of(-reach, reach);
     }
 

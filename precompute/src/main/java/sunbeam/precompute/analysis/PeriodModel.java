@@ -16,7 +16,8 @@ import sunbeam.precompute.units.Lengths;
  * includes the estimates from halves of the scan and from its rows, with crossing waves subtracted. A broad line has the centroid of its
  * power, and an interval from tiles.
  */
-final class PeriodModel {
+record PeriodModel(
+        HeightMap scan, HeightMap level, WaveSearch search, Predicate<SpatialFrequency> which, String nothing) {
     // For a sure period; fewer may be chance or waviness.
     static final double FEWEST_PERIODS = 4;
     // For a probable period: the Hann window spreads what does not repeat over up to two periods.
@@ -50,27 +51,16 @@ final class PeriodModel {
     private static final double WITHOUT_LINES = 60;
     private static final int BINS_PER_PERIOD = 12;
 
-    private final HeightMap scan;
-    private final HeightMap level;
-    private final WaveSearch search;
-    private final Predicate<SpatialFrequency> which;
-    private final String nothing;
-
-    private PeriodModel(HeightMap scan, Predicate<SpatialFrequency> which, String nothing) {
-        this.nothing = nothing;
-        this.scan = scan;
-        this.level = Leveling.PLANE.apply(scan);
-        this.which = which.and(wave -> wave.length() * HeightSpectrum.SHORTEST_PERIOD <= 1);
-        this.search = new WaveSearch(scan, this.which);
-    }
-
     /**
      * Empty if no accepted wave fits three times into the scan.
      *
      * @param nothing start of the reason if no period is seen
      */
     static Optional<GratingPeriod> of(HeightMap scan, Predicate<SpatialFrequency> which, String nothing) {
-        return new PeriodModel(scan, which, nothing).strongest(wave -> wave.periodsIn(scan) >= FEWEST_SEEN);
+        Predicate<SpatialFrequency> visible = which.and(wave -> wave.length() * HeightSpectrum.SHORTEST_PERIOD <= 1);
+        WaveSearch search = new WaveSearch(scan, visible);
+        return new PeriodModel(scan, Leveling.PLANE.apply(scan), search, visible, nothing)
+                .strongest(wave -> wave.periodsIn(scan) >= FEWEST_SEEN);
     }
 
     /** Waviness may hide a grating more than four times as fine, which then takes its place. */
@@ -91,16 +81,16 @@ final class PeriodModel {
         SpatialFrequency line = lines.get(0);
         double sharpness = search.sharpness(line);
         boolean sharp = sharpness >= SHARP || tiles(line) < 2;
-        SpatialFrequency first = sharp ? corrected(level, line) : search.centroid(line);
-        GratingPeriod known = GratingPeriod.vague(first, 0, 0).withOthers(lines.subList(1, lines.size()));
-        boolean lattice = known.isLattice();
-        List<SpatialFrequency> waves = sharp && lattice ? refined(known.waves()) : known.waves();
+        List<SpatialFrequency> waves = new ArrayList<>(lines);
+        waves.set(0, sharp ? corrected(level, line) : search.centroid(line));
+        boolean lattice = GratingPeriod.vague(waves, 0, 0).isLattice();
+        waves = sharp && lattice ? refined(waves) : waves;
         SpatialFrequency wave = waves.get(0);
         double periods = wave.periodsIn(scan);
         List<SpatialFrequency> counted = lattice ? waves : waves.subList(0, 1);
         double share = Math.min(1, counted.stream().mapToDouble(search::share).sum());
         boolean few = periods < FEWEST_PERIODS;
-        GratingPeriod vague = GratingPeriod.vague(wave, periods, share).withOthers(waves.subList(1, waves.size()));
+        GratingPeriod vague = GratingPeriod.vague(waves, periods, share);
         if (share < LEAST_SHARE && search.unseen() > 0.5) {
             return vague.none("no order found: most of the relief is finer than light resolves (190 nm)");
         }

@@ -11,7 +11,7 @@ import org.apache.commons.math3.util.ArithmeticUtils;
 import sunbeam.precompute.optics.HeightMap;
 
 /** Finds the exact periods of a repeated patch from its strongest frequencies. */
-final class RepeatedPeriod {
+record RepeatedPeriod(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, double all) {
     // Share of the variance; noise has less in one frequency.
     private static final double OVERTONE = 0.01;
     private static final int MOST_DIRECTIONS = 3;
@@ -20,17 +20,6 @@ final class RepeatedPeriod {
     private static final double SHARE_OF_PERIOD = 0.4;
     private static final double SHARE_OF_PIECE = 0.98;
     private static final double PEAKS_OF_PIECE = 0.5;
-
-    private final HeightSpectrum spectrum;
-    private final Predicate<SpatialFrequency> which;
-    // Half of the variance: one bin of each opposite pair.
-    private final double all;
-
-    private RepeatedPeriod(HeightMap map, Predicate<SpatialFrequency> which) {
-        this.spectrum = HeightSpectrum.of(map, HeightSpectrum.Edges.PERIODIC);
-        this.which = which;
-        this.all = 0.5 * DoubleStream.of(spectrum.power()).sum();
-    }
 
     /** Wave with its overtones: bins, power of all, and of the strongest frequency. */
     private record Family(SpatialFrequency wave, int jx, int jy, double power, double peak) {
@@ -45,21 +34,26 @@ final class RepeatedPeriod {
      * @param known whether the map is a period, not any piece
      */
     static Optional<GratingPeriod> of(HeightMap map, Predicate<SpatialFrequency> which, boolean known) {
-        RepeatedPeriod search = new RepeatedPeriod(map, which);
+        HeightSpectrum spectrum = HeightSpectrum.of(map, HeightSpectrum.Edges.PERIODIC);
+        // Half of the variance: one bin of each opposite pair.
+        double all = 0.5 * DoubleStream.of(spectrum.power()).sum();
+        RepeatedPeriod search = new RepeatedPeriod(spectrum, which, all);
         List<Family> found = new ArrayList<>();
         for (int i = 0; i < MOST_DIRECTIONS; i++) {
             search.strongest(found)
                     .filter(next -> found.isEmpty() || next.power >= WaveSearch.AS_STRONG * found.get(0).power)
                     .ifPresent(found::add);
         }
-        double share = found.stream().mapToDouble(Family::power).sum() / search.all;
-        double peaks = found.stream().mapToDouble(Family::peak).sum() / search.all;
+        double share = found.stream().mapToDouble(Family::power).sum() / all;
+        double peaks = found.stream().mapToDouble(Family::peak).sum() / all;
         boolean enough = share >= (known ? SHARE_OF_PERIOD : SHARE_OF_PIECE) && (known || peaks >= PEAKS_OF_PIECE);
         if (!enough || !which.test(found.get(0).wave)) {
             return Optional.empty();
         }
         List<SpatialFrequency> waves = found.stream().map(Family::wave).toList();
-        return Optional.of(GratingPeriod.exact(waves.get(0), share).withOthers(waves.subList(1, waves.size())));
+        double length = waves.get(0).length();
+        return Optional.of(
+                GratingPeriod.vague(waves, Double.POSITIVE_INFINITY, share).within(length, length, 0));
     }
 
     private Optional<Family> strongest(List<Family> before) {

@@ -14,8 +14,8 @@ import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Search for lines (peaks of waves) in the power spectrum of a piece of a surface. */
-final class WaveSearch {
+/** Search for lines (peaks of waves) in the power spectrum of a piece of a surface; bins are those of the unpadded piece, cycles per meter. */
+record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, double binX, double binY) {
     // In bins of 1 / the scan's side; a Hann window's line reaches 2.
     private static final double LINE = 3;
     // Radius of a broad line as a share of its frequency.
@@ -43,16 +43,8 @@ final class WaveSearch {
     private static final double FINER_FROM = 1.3;
     private static final double FINER_TO = 1.8;
 
-    private final HeightSpectrum spectrum;
-    private final Predicate<SpatialFrequency> which;
-    private final double binX;
-    private final double binY;
-
     WaveSearch(HeightMap scan, Predicate<SpatialFrequency> which) {
-        this.spectrum = HeightSpectrum.of(scan, HeightSpectrum.Edges.TAPERED);
-        this.which = which;
-        this.binX = 1 / scan.width();
-        this.binY = 1 / scan.height();
+        this(HeightSpectrum.of(scan, HeightSpectrum.Edges.TAPERED), which, 1 / scan.width(), 1 / scan.height());
     }
 
     /** Returns the highest accepted line, refined by parabolas. */
@@ -70,23 +62,20 @@ final class WaveSearch {
         return new SpatialFrequency(x / spectrum.width(), y / spectrum.height());
     }
 
-    private record Moments(double power, double x, double y) {
-        SpatialFrequency centroid() {
-            return new SpatialFrequency(x / power, y / power);
-        }
-    }
-
     /** 1 at the line's radius: bins of the scan, or a share of the line's frequency if that is larger. */
-    private double distance(SpatialFrequency frequency, SpatialFrequency center, double bins, double share) {
+    private double distance(SpatialFrequency frequency, SpatialFrequency center, double share) {
         double reach = share * center.length();
         return Math.hypot(
-                (frequency.x() - center.x()) / Math.max(bins * binX, reach),
-                (frequency.y() - center.y()) / Math.max(bins * binY, reach));
+                (frequency.x() - center.x()) / Math.max(LINE * binX, reach),
+                (frequency.y() - center.y()) / Math.max(LINE * binY, reach));
     }
 
-    private Moments around(SpatialFrequency center, double bins, double share, Predicate<SpatialFrequency> counted) {
-        double reachX = Math.max(bins * binX, share * center.length());
-        double reachY = Math.max(bins * binY, share * center.length());
+    /** Power within a line's radius, and the sums of its frequencies times their power. */
+    private record Moments(double power, double x, double y) {}
+
+    private Moments around(SpatialFrequency center, double share, Predicate<SpatialFrequency> counted) {
+        double reachX = Math.max(LINE * binX, share * center.length());
+        double reachY = Math.max(LINE * binY, share * center.length());
         int left = (int) Math.ceil((center.x() - reachX) * spectrum.width());
         int right = (int) Math.floor((center.x() + reachX) * spectrum.width());
         int bottom = (int) Math.ceil((center.y() - reachY) * spectrum.height());
@@ -96,7 +85,7 @@ final class WaveSearch {
             for (int jx = left; jx <= right; jx++) {
                 SpatialFrequency frequency = new SpatialFrequency(jx / spectrum.width(), jy / spectrum.height());
                 double power = spectrum.at(jx, jy);
-                if (distance(frequency, center, bins, share) <= 1 && power > 0 && counted.test(frequency)) {
+                if (distance(frequency, center, share) <= 1 && power > 0 && counted.test(frequency)) {
                     sum = new Moments(sum.power + power, sum.x + power * frequency.x(), sum.y + power * frequency.y());
                 }
             }
@@ -107,15 +96,17 @@ final class WaveSearch {
     /** Share, 0..1, of a broad line's power within a sharp line's radius. */
     double sharpness(SpatialFrequency wave) {
         Predicate<SpatialFrequency> all = frequency -> true;
-        double power = around(wave, LINE, BREADTH, all).power();
-        return power > 0 ? around(wave, LINE, 0, all).power() / power : 0;
+        double power = around(wave, BREADTH, all).power();
+        return power > 0 ? around(wave, 0, all).power() / power : 0;
     }
 
     SpatialFrequency centroid(SpatialFrequency wave) {
         SpatialFrequency result = wave;
         for (int i = 0; i < 3; i++) {
-            Moments moments = around(result, LINE, BREADTH, which);
-            result = moments.power() > 0 ? moments.centroid() : result;
+            Moments moments = around(result, BREADTH, which);
+            result = moments.power > 0
+                    ? new SpatialFrequency(moments.x / moments.power, moments.y / moments.power)
+                    : result;
         }
         return result;
     }
@@ -140,7 +131,7 @@ final class WaveSearch {
         }
         double explained = 0;
         for (int k = 1; k <= OVERTONES; k++) {
-            explained += around(wave.times(k), LINE, BREADTH / k, which).power();
+            explained += around(wave.times(k), BREADTH / k, which).power();
         }
         return all > 0 ? Math.min(1, explained / all) : 0;
     }
@@ -161,15 +152,11 @@ final class WaveSearch {
     private double contrast(SpatialFrequency wave, double from, double to) {
         double[] sums = new double[SECTORS];
         int[] counts = new int[SECTORS];
-        double[] power = spectrum.power();
-        for (int i = power.length / 2 + 1; i < power.length; i++) {
-            SpatialFrequency frequency = spectrum.frequency(i);
-            if (isBetween(frequency, from * wave.length(), to * wave.length())) {
-                double turns = (frequency.azimuth() - wave.azimuth()) / Math.PI + 0.5 / SECTORS;
-                int sector = Math.min(SECTORS - 1, (int) (SECTORS * (turns - Math.floor(turns))));
-                sums[sector] += power[i];
-                counts[sector]++;
-            }
+        for (int place : binsBetween(wave, from, to)) {
+            double turns = (spectrum.frequency(place).azimuth() - wave.azimuth()) / Math.PI + 0.5 / SECTORS;
+            int sector = Math.min(SECTORS - 1, (int) (SECTORS * (turns - Math.floor(turns))));
+            sums[sector] += spectrum.power()[place];
+            counts[sector]++;
         }
         for (int i = 0; i < SECTORS; i++) {
             sums[i] /= Math.max(1, counts[i]);
@@ -210,19 +197,14 @@ final class WaveSearch {
         double within = Math.sin(0.5 * Math.PI / SECTORS);
         double step = Math.hypot(wave.x() / spectrum.width(), wave.y() / spectrum.height()) / wave.length();
         Map<Long, Double> highest = new HashMap<>();
-        for (int i = spectrum.power().length / 2 + 1; i < spectrum.power().length; i++) {
-            SpatialFrequency frequency = spectrum.frequency(i);
-            if (isBetween(frequency, from * wave.length(), to * wave.length()) && frequency.sineTo(wave) <= within) {
-                highest.merge(Math.round(frequency.length() / step), spectrum.power()[i], Math::max);
+        for (int place : binsBetween(wave, from, to)) {
+            SpatialFrequency frequency = spectrum.frequency(place);
+            if (frequency.sineTo(wave) <= within) {
+                highest.merge(Math.round(frequency.length() / step), spectrum.power()[place], Math::max);
             }
         }
-        return highest.isEmpty()
-                ? 0
-                : Quantiles.of(
-                        highest.values().stream()
-                                .mapToDouble(Double::doubleValue)
-                                .toArray(),
-                        0.5);
+        double[] powers = highest.values().stream().mapToDouble(power -> power).toArray();
+        return powers.length == 0 ? 0 : Quantiles.of(powers, 0.5);
     }
 
     /** Mean power at a wave's frequency, in all directions, over that of coarser bins. */
@@ -231,15 +213,20 @@ final class WaveSearch {
     }
 
     private double density(SpatialFrequency wave, double from, double to) {
-        return IntStream.range(spectrum.power().length / 2 + 1, spectrum.power().length)
-                .filter(i -> isBetween(spectrum.frequency(i), from * wave.length(), to * wave.length()))
-                .mapToDouble(i -> spectrum.power()[i])
+        return Arrays.stream(binsBetween(wave, from, to))
+                .mapToDouble(place -> spectrum.power()[place])
                 .average()
                 .orElse(0);
     }
 
-    private static boolean isBetween(SpatialFrequency frequency, double from, double to) {
-        return frequency.length() >= from && frequency.length() <= to;
+    /** Returns one bin of each opposite pair at frequencies from one share of the wave's to another. */
+    private int[] binsBetween(SpatialFrequency wave, double from, double to) {
+        return IntStream.range(spectrum.power().length / 2 + 1, spectrum.power().length)
+                .filter(place -> {
+                    double length = spectrum.frequency(place).length();
+                    return length >= from * wave.length() && length <= to * wave.length();
+                })
+                .toArray();
     }
 
     /**
@@ -248,7 +235,7 @@ final class WaveSearch {
      */
     List<SpatialFrequency> lines(SpatialFrequency line) {
         double beside = Math.sin(1.5 * Math.PI / SECTORS);
-        double least = AS_STRONG * around(line, LINE, BREADTH, which).power();
+        double least = AS_STRONG * around(line, BREADTH, which).power();
         List<SpatialFrequency> found = new ArrayList<>(List.of(line));
         // Not waviness, a wide line's own bins, or its opposite's.
         Predicate<SpatialFrequency> apart = other -> which.test(other)
@@ -256,7 +243,7 @@ final class WaveSearch {
                 && found.stream().allMatch(known -> other.sineTo(known) > beside && !isNear(other, known, BREADTH));
         for (int i = 1; i < MOST_LINES; i++) {
             strongest(apart)
-                    .filter(other -> around(other, LINE, BREADTH, which).power() >= least)
+                    .filter(other -> around(other, BREADTH, which).power() >= least)
                     .filter(other -> contrast(other) >= LEAST_CONTRAST)
                     .ifPresent(found::add);
         }
@@ -272,6 +259,6 @@ final class WaveSearch {
     }
 
     private boolean isNear(SpatialFrequency frequency, SpatialFrequency line, double share) {
-        return distance(frequency, line, LINE, share) <= 1 || distance(frequency, line.times(-1), LINE, share) <= 1;
+        return distance(frequency, line, share) <= 1 || distance(frequency, line.times(-1), share) <= 1;
     }
 }

@@ -68,7 +68,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                 .orElseThrow(() -> noHeights(file, channels));
         ScanChannel channel = inColumns(file, channels.channels().get(index), reader.isPicture(), choices);
         HeightMap map = scaled(file, channel, choices);
-        String label = channels.label(index);
+        String label = channels.labels().get(index);
         String which = channels.count() == 1 && channel.name().isEmpty() ? "" : ", channel " + label;
         String source = file.getFileName() + " (" + reader.name() + which + "), " + map.describe();
         boolean several = !choices.has(CHANNEL) && channels.candidates() > 1;

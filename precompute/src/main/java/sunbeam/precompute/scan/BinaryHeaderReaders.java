@@ -71,23 +71,20 @@ final class BinaryHeaderReaders {
         String unitZ = header.text(SURF_TEXT);
         int inversion = header.at(290).unsigned16();
         long start = SURF_HEADER + header.at(334).unsigned16() + (long) header.unsigned16();
-        Samples stored =
-                undoInversion(Samples.of(file, start, columns, rows, type).withMissing(missing), inversion);
+        Samples stored = Samples.of(file, start, columns, rows, type).withMissing(missing);
+        // Heights are inverted too for codes 1 to 3.
+        Samples heights = (switch (inversion) {
+                    case 0, 1 -> stored;
+                    case 2 -> stored.flipColumns();
+                    case 3 -> stored.flipRows();
+                    default ->
+                        throw new ScanException("is turned over in the unknown way " + inversion + "; export it again");
+                })
+                .scale(inversion == 0 ? step : -step, 0);
         double metersY =
                 Extent.metersPer(unitY).orElse(1.0) / Extent.metersPer(unitX).orElse(1.0);
-        Samples heights = stored.scale(inversion == 0 ? step : -step, 0);
         Extent extent = Extent.ofPitches(pitchX, pitchY * metersY, unitX, stored);
         return List.of(new ScanChannel(name, heights, extent, unitZ));
-    }
-
-    /** Undoes the inversion of columns (code 2) or rows (3); heights are inverted too for codes 1 to 3. */
-    private static Samples undoInversion(Samples samples, int inversion) {
-        return switch (inversion) {
-            case 0, 1 -> samples;
-            case 2 -> samples.flipColumns();
-            case 3 -> samples.flipRows();
-            default -> throw new ScanException("is turned over in the unknown way " + inversion + "; export it again");
-        };
     }
 
     /** Reads .npy files: one array, rows by columns, row 0 at the top, without size and unit. Source: NumPy manual, "numpy.lib.format". */
@@ -184,9 +181,7 @@ final class BinaryHeaderReaders {
 
     /** A wave has one unit, meters, even for layers of phases and potentials. */
     private static String unit(String name, String unit) {
-        if (name.startsWith("Phase")) {
-            return "deg";
-        }
-        return name.contains("Potential") || name.startsWith("UserIn") || name.startsWith("Current") ? "V" : unit;
+        boolean volts = name.contains("Potential") || name.startsWith("UserIn") || name.startsWith("Current");
+        return name.startsWith("Phase") ? "deg" : volts ? "V" : unit;
     }
 }

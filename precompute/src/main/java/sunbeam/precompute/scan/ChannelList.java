@@ -1,6 +1,5 @@
 package sunbeam.precompute.scan;
 
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
@@ -10,11 +9,12 @@ import java.util.Set;
 import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.precompute.text.Similar;
 
 /** Channels of a file with unique labels; chooses the channel that holds the heights. */
-public record ChannelList(List<ScanChannel> channels, List<String> labels) {
+public record ChannelList(List<ScanChannel> channels) {
     private static final int MOST_NAMED = 12;
 
     // Words in vendors' names, lower-case: of channels without heights, with heights, from position sensors.
@@ -27,38 +27,30 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     private static final Pattern SENSOR = Pattern.compile("sensor|measured|\\blvdt|closed loop");
 
     /** Throws ScanException if there are no channels or too many. */
-    public ChannelList(List<ScanChannel> channels) {
-        this(checked(channels), labels(channels));
-    }
-
-    private static List<ScanChannel> checked(List<ScanChannel> channels) {
+    public ChannelList {
         ScanException.refuseIf(channels.isEmpty(), "holds no channel with samples on a grid; export its heights again");
         ScanLimits.requireChannels(channels.size());
-        return List.copyOf(channels);
+        channels = List.copyOf(channels);
     }
 
     public int count() {
         return channels.size();
     }
 
-    public String label(int index) {
-        return labels.get(index);
-    }
-
     /** Returns up to twelve labels and the number of others, for a message. */
     public String names() {
-        String names = String.join(", ", labels.subList(0, Math.min(MOST_NAMED, labels.size())));
-        int others = labels.size() - MOST_NAMED;
+        String names = labels().stream().limit(MOST_NAMED).collect(Collectors.joining(", "));
+        int others = count() - MOST_NAMED;
         return others > 0 ? names + " and " + others + " others" : names;
     }
 
     /** Finds a channel by its label, name (trace before retrace), number from 1, or label without an image's page number. */
     public Optional<Integer> find(String name) {
         String plain = plain(name);
-        return traceFirst(i -> plain(labels.get(i)).equals(plain))
+        return traceFirst(i -> plain(labels().get(i)).equals(plain))
                 .or(() -> traceFirst(i -> plain(channels.get(i).name()).equals(plain)))
                 .or(() -> traceFirst(i -> Integer.toString(i + 1).equals(plain)))
-                .or(() -> traceFirst(i -> plain(labels.get(i)).matches("page \\d+ " + Pattern.quote(plain))));
+                .or(() -> traceFirst(i -> plain(labels().get(i)).matches("page \\d+ " + Pattern.quote(plain))));
     }
 
     private Optional<Integer> traceFirst(IntPredicate which) {
@@ -69,8 +61,8 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     public Optional<String> nearest(String name) {
-        return Similar.nearest(name, labels)
-                .or(() -> labels.stream()
+        return Similar.nearest(name, labels())
+                .or(() -> labels().stream()
                         .filter(label -> !name.isBlank() && plain(label).startsWith(plain(name)))
                         .findFirst());
     }
@@ -81,7 +73,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
                 .boxed()
                 .min(Comparator.<Integer, Boolean>comparing(
                                 i -> channels.get(i).metersPerUnit().isEmpty())
-                        .thenComparing(this::kind)
+                        .thenComparing(i -> kind(channels.get(i).name()))
                         .thenComparing(i -> channels.get(i).retrace()));
     }
 
@@ -92,22 +84,16 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     private IntStream possible() {
         return IntStream.range(0, count())
                 .filter(i -> channels.get(i).maybeHeights())
-                .filter(i -> count() == 1 || kind(i) != Kind.OTHER);
+                .filter(i -> count() == 1 || kind(channels.get(i).name()) != Kind.OTHER);
     }
 
-    private Kind kind(int index) {
-        return kind(channels.get(index).name());
-    }
-
+    /** Returns a line for each channel: number, label, samples and unit. */
     public List<String> lines() {
-        List<String> lines = new ArrayList<>();
-        for (int i = 0; i < count(); i++) {
-            ScanChannel channel = channels.get(i);
-            String unit = channel.unit().isEmpty() ? "no unit" : "in " + channel.unit();
-            lines.add((i + 1) + " " + labels.get(i) + ": " + channel.columns() + " x " + channel.rows() + " samples, "
-                    + unit);
-        }
-        return lines;
+        List<String> labels = labels();
+        return IntStream.range(0, count())
+                .mapToObj(i ->
+                        (i + 1) + " " + labels.get(i) + ": " + channels.get(i).describe())
+                .toList();
     }
 
     private static String plain(String name) {
@@ -135,7 +121,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /** Returns unique labels: the name, with " (retrace)" if another channel has it, or with the number. */
-    static List<String> labels(List<ScanChannel> channels) {
+    public List<String> labels() {
         String[] labels = new String[channels.size()];
         Set<String> taken = new HashSet<>();
         for (int i = 0; i < labels.length; i++) {

@@ -49,8 +49,8 @@ public enum SampleType {
 
     /** Throws ScanException unless the width is 8, 16, 32 or 64 bits. */
     public static SampleType signed(int bits) {
-        return Stream.of(SIGNED_8, SIGNED_16, SIGNED_32, SIGNED_64)
-                .filter(type -> Byte.SIZE * type.size == bits)
+        return Stream.of(values())
+                .filter(type -> type.name().equals("SIGNED_" + bits))
                 .findFirst()
                 .orElseThrow(() -> new ScanException(
                         "stores samples of " + bits + " bits, which no reader knows; export it in another format"));

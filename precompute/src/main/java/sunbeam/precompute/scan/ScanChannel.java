@@ -20,6 +20,11 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
         return new ScanChannel(name, retrace, samples.reshape(columns, rows), extent, unit);
     }
 
+    /** Such as "512 x 512 samples, in nm". */
+    public String describe() {
+        return columns() + " x " + rows() + " samples, " + (unit.isEmpty() ? "no unit" : "in " + unit);
+    }
+
     public int columns() {
         return samples.columns();
     }

@@ -64,14 +64,13 @@ final class SurfaceDataReaders {
         long line = head.lines().count() + 1;
         int columns = values.count("NumPoints");
         int rows = values.count("NumProfiles");
-        Samples samples = new Samples(
-                columns, rows, () -> numbers(file, head.length() + 1L, line, Math.multiplyExact(columns, rows)));
+        Samples samples = new Samples(columns, rows, () -> {
+            int count = Math.multiplyExact(columns, rows);
+            Reader numbers = new InputStreamReader(file.stream(head.length() + 1L), StandardCharsets.ISO_8859_1);
+            return TextNumbers.read(new BufferedReader(numbers), false, line, count)
+                    .first(count);
+        });
         return channel(samples, values.number("Xscale"), values.number("Yscale"), values.number("Zscale"));
-    }
-
-    private static double[] numbers(ScanBytes file, long offset, long line, int count) throws IOException {
-        Reader reader = new InputStreamReader(file.stream(offset), StandardCharsets.ISO_8859_1);
-        return TextNumbers.read(new BufferedReader(reader), false, line, count).first(count);
     }
 
     private static ScanChannel binary(ScanBytes file) throws IOException {

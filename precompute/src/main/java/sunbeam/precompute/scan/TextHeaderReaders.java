@@ -50,14 +50,10 @@ final class TextHeaderReaders {
             list.put(key, line.length() > KEY_LENGTH ? line.substring(KEY_LENGTH) : "");
             position = end + 1;
         }
-        return agilentChannels(file, common, buffers, position);
-    }
-
-    private static List<ScanChannel> agilentChannels(ScanBytes file, Header common, List<Header> buffers, long start) {
         SampleType type = SampleType.of(AGILENT_TYPES, common.text("data", ""));
         Extent extent = Extent.of(common.number("xLength"), common.number("yLength"));
         List<ScanChannel> channels = new ArrayList<>();
-        long offset = start;
+        long offset = position;
         for (Header buffer : buffers) {
             Samples samples = Samples.of(file, offset, common.count("xPixels"), common.count("yPixels"), type);
             double factor = buffer.number("bufferRange") / Math.pow(2, 8.0 * type.size() - 1);
@@ -96,16 +92,9 @@ final class TextHeaderReaders {
 
     private static Map<String, Header> sections(String header) {
         Map<String, Header> sections = new TreeMap<>();
-        Header section = new Header();
-        for (String line : header.lines().toList()) {
-            int equals = line.indexOf('=');
-            if (line.startsWith("[") && line.endsWith("]")) {
-                String path = line.substring(1, line.length() - 1);
-                section = new Header();
-                sections.putIfAbsent(path.startsWith("DataSet\\") ? path.substring(8) : path, section);
-            } else if (equals > 0) {
-                section.put(line.substring(0, equals), line.substring(equals + 1));
-            }
+        for (String section : header.split("(?m)^(?=\\[.*\\]$)")) {
+            String path = section.substring(section.startsWith("[") ? 1 : 0, Math.max(0, section.indexOf(']')));
+            sections.putIfAbsent(path.startsWith("DataSet\\") ? path.substring(8) : path, Header.of(section, '='));
         }
         return sections;
     }
@@ -113,11 +102,9 @@ final class TextHeaderReaders {
     /** Returns the bytes of the channel's samples. */
     private static long addNanosurf(List<ScanChannel> channels, ScanBytes file, Header section, long offset) {
         int bits = section.count("SaveBits");
-        String mode = section.text("SaveMode", "Binary");
-        String sign = section.text("SaveSign", "Signed");
-        if (!mode.equals("Binary") || !sign.equals("Signed")) {
-            throw new ScanException("stores samples as " + mode + ", " + sign + "; export it in another format");
-        }
+        String form = section.text("SaveMode", "Binary") + ", " + section.text("SaveSign", "Signed");
+        ScanException.refuseIf(
+                !form.equals("Binary, Signed"), "stores samples as " + form + "; export it in another format");
         boolean little = section.text("SaveOrder", "Intel").equals("Intel");
         ByteOrder order = little ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN;
         SampleType type = SampleType.signed(bits);
@@ -154,18 +141,14 @@ final class TextHeaderReaders {
                 Samples.of(file, start, values.count("Number of columns"), values.count("Number of rows"), type);
         Header.Quantity amplitude = values.quantity("Z Amplitude");
         String name = values.text("Acquisition channel", values.text("Head type", ""));
-        Samples heights = stretched(stored.flipColumns().flipRows(), amplitude.value());
-        Extent extent = new Extent(values.meters("X Amplitude", ""), values.meters("Y Amplitude", ""), 1);
-        return List.of(new ScanChannel(name, heights, extent, amplitude.unit()));
-    }
-
-    private static Samples stretched(Samples stored, double amplitude) {
-        return stored.mapAll(samples -> {
+        Samples heights = stored.flipColumns().flipRows().mapAll(samples -> {
             DoubleSummaryStatistics range = Arrays.stream(samples).summaryStatistics();
             double relief = range.getMax() - range.getMin();
-            double factor = relief > 0 ? amplitude / relief : 1;
+            double factor = relief > 0 ? amplitude.value() / relief : 1;
             Arrays.setAll(samples, i -> factor * samples[i]);
             return samples;
         });
+        Extent extent = new Extent(values.meters("X Amplitude", ""), values.meters("Y Amplitude", ""), 1);
+        return List.of(new ScanChannel(name, heights, extent, amplitude.unit()));
     }
 }

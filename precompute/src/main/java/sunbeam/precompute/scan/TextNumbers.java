@@ -3,6 +3,7 @@ package sunbeam.precompute.scan;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.StringTokenizer;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
@@ -13,6 +14,8 @@ public final class TextNumbers {
     // Three for each point of the largest grid.
     private static final long MOST = 3 * ScanLimits.MOST_SAMPLES;
     private static final int LONGEST_WORD = 100;
+
+    private static final String BLANKS = " \t\"\f\ufeff";
 
     private final boolean decimalComma;
     private double[] values = new double[FIRST_CAPACITY];
@@ -38,25 +41,18 @@ public final class TextNumbers {
     private void add(String text, long line) {
         int before = count;
         boolean separated = false;
-        for (int i = 0; i < text.length(); ) {
-            char c = text.charAt(i);
-            if (isSeparator(c)) {
-                if (separated) {
-                    add(Double.NaN);
-                }
-                separated = true;
-                i++;
-            } else if (isBlank(c)) {
-                i++;
-            } else {
-                int end = i;
-                while (end < text.length() && !isBlank(text.charAt(end)) && !isSeparator(text.charAt(end))) {
-                    end++;
-                }
-                add(parse(text.substring(i, end), line));
-                i = end < text.length() && isSeparator(text.charAt(end)) ? end + 1 : end;
-                separated = i > end;
+        String separators = decimalComma ? ";" : ";,";
+        StringTokenizer tokens = new StringTokenizer(text, separators + BLANKS, true);
+        while (tokens.hasMoreTokens()) {
+            String token = tokens.nextToken();
+            boolean separator = separators.contains(token);
+            if (separator && separated) {
+                add(Double.NaN);
+            } else if (!separator && !BLANKS.contains(token)) {
+                add(parse(token, line));
+                separated = false;
             }
+            separated |= separator;
         }
         int added = count - before;
         rows += added > 0 ? 1 : 0;
@@ -64,14 +60,6 @@ public final class TextNumbers {
         if (added > 0 && added != columns && ragged.isEmpty()) {
             ragged = added + " numbers in line " + line;
         }
-    }
-
-    private boolean isSeparator(char c) {
-        return c == ';' || (c == ',' && !decimalComma);
-    }
-
-    private static boolean isBlank(char c) {
-        return c == ' ' || c == '\t' || c == '"' || c == '\f' || c == '\ufeff';
     }
 
     private double parse(String word, long line) {

@@ -57,7 +57,7 @@ class SharedScansTest {
         List<ScanChannel> called = new ArrayList<>();
         for (int i = 0; i < channels.count(); i++) {
             if (channels.count() == 1
-                    || channels.label(i).equals(name)
+                    || channels.labels().get(i).equals(name)
                     || channels.channels().get(i).name().equals(name)) {
                 called.add(channels.channels().get(i));
             }

@@ -62,7 +62,7 @@ class TiffPictureTest {
         try (ScanBytes bytes = ScanBytes.open(file(name))) {
             ChannelList channels = TestScans.channels(bytes);
 
-            assertThat(channels.label(channels.heights().orElseThrow())).isEqualTo("grey");
+            assertThat(channels.labels().get(channels.heights().orElseThrow())).isEqualTo("grey");
             assertSurface(channels.channels().get(0), 1);
         }
     }
