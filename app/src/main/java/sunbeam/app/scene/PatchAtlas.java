@@ -6,7 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import sunbeam.app.scene.texture.Body;
-import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 
 /**
  * Nanostructures of a mesh, and a map of the areas that they cover.

@@ -16,7 +16,7 @@ import sunbeam.precompute.color.DisplayTransform.Primaries;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 

@@ -19,7 +19,7 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.precompute.json.JsonObject;
-import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;

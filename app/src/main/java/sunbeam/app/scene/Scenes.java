@@ -28,7 +28,7 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.setting.Choices;

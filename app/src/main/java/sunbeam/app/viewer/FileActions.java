@@ -45,7 +45,7 @@ import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.precompute.patch.PatchLoader;
-import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;

@@ -24,7 +24,7 @@ import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchLoader.HeightCache;
-import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.ShaderTablesFile;

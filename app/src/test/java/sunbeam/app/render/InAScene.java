@@ -35,7 +35,7 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.setting.Choices;
 
 /** Test that draws scenes in one render context, with a new folder as home. */

@@ -54,7 +54,7 @@ import sunbeam.app.viewer.components.PictureView;
 import sunbeam.app.viewer.components.SkinPoint;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 

@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.apache.commons.math3.distribution.TDistribution;
+import sunbeam.precompute.analysis.HeightSpectrum.RepeatedPeriod;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.prepare.ScanFaults.ScanFault;

@@ -11,6 +11,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.Preparation.Spikes;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 

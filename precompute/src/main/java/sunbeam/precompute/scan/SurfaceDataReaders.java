@@ -19,6 +19,7 @@ import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
+import sunbeam.precompute.scan.TextReader.TextNumbers;
 
 /** Readers of the file formats of ISO 25178, parts 71 and 72. */
 final class SurfaceDataReaders {

@@ -15,6 +15,7 @@ import java.util.StringTokenizer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import sunbeam.precompute.scan.TextReader.TextNumbers;
 
 /**
  * Text file with numbers: its header, encoding and decimal mark.

@@ -20,6 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
 

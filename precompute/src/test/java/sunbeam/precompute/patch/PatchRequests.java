@@ -1,6 +1,7 @@
 package sunbeam.precompute.patch;
 
 import sunbeam.precompute.patch.PatchLoader.HeightCache;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Setting;

@@ -17,6 +17,7 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Edges.Seam;
 import sunbeam.precompute.prepare.Preparation.MissingHeights;
+import sunbeam.precompute.prepare.Preparation.Spikes;
 
 class PreparationTest {
     private static final int COLUMNS = 80;

@@ -20,7 +20,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchLoader.HeightCache;
-import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;

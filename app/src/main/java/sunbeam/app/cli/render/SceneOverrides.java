@@ -24,7 +24,7 @@ import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
