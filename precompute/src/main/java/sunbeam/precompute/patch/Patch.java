@@ -36,13 +36,6 @@ public record Patch(
         NONE
     }
 
-    public Patch {
-        channels = List.copyOf(channels);
-        notes = List.copyOf(notes);
-        warnings = List.copyOf(warnings);
-        faults = List.copyOf(faults);
-    }
-
     public Patch(String name, HeightMap heights, String source, List<String> warnings) {
         this(name, heights, heights, source, List.of(), List.of(), warnings, List.of(), Repetition.PERIODIC);
     }

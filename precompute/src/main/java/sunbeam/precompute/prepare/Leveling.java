@@ -30,18 +30,15 @@ public enum Leveling {
     public HeightMap apply(HeightMap field) {
         return switch (this) {
             case NONE -> field;
+            // A map whose mean is 0 stays itself, with its cached properties.
             case MEAN ->
-                isCentered(field) ? field : centered(Polynomial.fit(field, 1).subtracted());
+                Math.abs(mean(field.heights(), 0, field.heights().length)) <= ROUNDING * field.relief()
+                        ? field
+                        : centered(Polynomial.fit(field, 1).subtracted());
             case PLANE -> centered(Polynomial.fit(field, 3).subtracted());
             case QUADRATIC -> centered(Polynomial.fit(field, 6).subtracted());
             case ROWS, MEDIAN_ROWS -> centered(withoutRows(PLANE.apply(field)));
         };
-    }
-
-    /** If so, MEAN returns the same map, whose cached properties stay valid. */
-    private static boolean isCentered(HeightMap field) {
-        double[] heights = field.heights();
-        return Math.abs(mean(heights, 0, heights.length)) <= ROUNDING * field.relief();
     }
 
     /** After {@link #MEDIAN_ROWS} the mean is that of the differences from the medians, else rounding. */

@@ -13,11 +13,7 @@ import sunbeam.precompute.units.Lengths;
 /** Preparation of a scan, in this order: crop, level, despike, fill missing samples, treat edges. */
 public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despike, Edges edges) {
     /** Prepared scan: before and after its edges are treated (light uses the latter), number of filled samples, words for the steps. */
-    public record Prepared(HeightMap scan, HeightMap surface, int missing, List<String> steps) {
-        public Prepared {
-            steps = List.copyOf(steps);
-        }
-    }
+    public record Prepared(HeightMap scan, HeightMap surface, int missing, List<String> steps) {}
 
     /** Prepares heights; throws IllegalArgumentException if all samples are missing, or as {@link Crop#apply}. */
     public Prepared apply(HeightMap measured) {
@@ -36,11 +32,14 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
                             ? "no spikes"
                             : spikes.count() + " spike samples removed, the highest by " + rounded(spikes.largest()));
         }
-        MissingHeights.Filled filled = MissingHeights.fill(field);
-        if (filled.count() > 0) {
+        int missing = (int) Arrays.stream(field.heights())
+                .filter(height -> !Double.isFinite(height))
+                .count();
+        if (missing > 0) {
             // Filled samples would bend a fitted plane, so only the mean is subtracted again.
-            field = leveling == Leveling.NONE ? filled.field() : Leveling.MEAN.apply(filled.field());
-            steps.add(filled.count() + " missing samples filled");
+            HeightMap filled = MissingHeights.fill(field);
+            field = leveling == Leveling.NONE ? filled : Leveling.MEAN.apply(filled);
+            steps.add(missing + " missing samples filled");
         }
         HeightMap surface = edges.apply(field);
         if (edges == Edges.BLEND) {
@@ -48,7 +47,7 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
                     + rounded(field.height() - surface.height()) + " (a step of "
                     + rounded(Seam.of(field).jump()) + " rms)");
         }
-        return new Prepared(field, surface, filled.count(), steps);
+        return new Prepared(field, surface, missing, steps);
     }
 
     private static String rounded(double meters) {
@@ -60,21 +59,13 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
      * the average of its known neighbors, eight at most. Linear in the number of samples.
      */
     record MissingHeights(HeightMap map, double[] heights) {
-        public record Filled(HeightMap field, int count) {}
-
-        public static Filled fill(HeightMap map) {
-            int known =
-                    (int) Arrays.stream(map.heights()).filter(Double::isFinite).count();
-            int missing = map.heights().length - known;
-            if (missing == 0) {
-                return new Filled(map, 0);
-            }
-            if (known == 0) {
-                throw new IllegalArgumentException("all " + missing + " samples are missing");
+        static HeightMap fill(HeightMap map) {
+            if (Arrays.stream(map.heights()).noneMatch(Double::isFinite)) {
+                throw new IllegalArgumentException("all " + map.heights().length + " samples are missing");
             }
             MissingHeights filling = new MissingHeights(map, map.heights().clone());
             filling.fillRings();
-            return new Filled(map.with(filling.heights), missing);
+            return map.with(filling.heights);
         }
 
         private void fillRings() {
@@ -163,7 +154,9 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
             IntStream.range(0, field.rows()).parallel().forEach(row -> {
                 double[] around = new double[(2 * REACH + 1) * (2 * REACH + 1)];
                 for (int i = row * field.columns(); i < (row + 1) * field.columns(); i++) {
-                    medians[i] = median(field, i, around);
+                    int count = gather(field, i, around);
+                    Arrays.sort(around, 0, count);
+                    medians[i] = count == 0 ? Double.NaN : around[count / 2];
                 }
             });
             double limit = DEVIATIONS * GAUSSIAN * medianDifference(field.heights(), medians);
@@ -182,13 +175,9 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
             return new Spikes(field.with(heights), count, largest);
         }
 
-        private static double median(HeightMap field, int index, double[] around) {
-            int count = gather(field, index % field.columns(), index / field.columns(), around);
-            Arrays.sort(around, 0, count);
-            return count == 0 ? Double.NaN : around[count / 2];
-        }
-
-        private static int gather(HeightMap field, int column, int row, double[] around) {
+        private static int gather(HeightMap field, int index, double[] around) {
+            int column = index % field.columns();
+            int row = index / field.columns();
             int count = 0;
             for (int r = Math.max(0, row - REACH); r <= Math.min(field.rows() - 1, row + REACH); r++) {
                 for (int c = Math.max(0, column - REACH); c <= Math.min(field.columns() - 1, column + REACH); c++) {
@@ -203,7 +192,7 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
 
         private static boolean isIsolated(
                 HeightMap field, int index, double median, double difference, double[] around) {
-            int count = gather(field, index % field.columns(), index / field.columns(), around);
+            int count = gather(field, index, around);
             int companions = 0;
             for (int i = 0; i < count; i++) {
                 companions += (around[i] - median) / difference > 0.5 ? 1 : 0;

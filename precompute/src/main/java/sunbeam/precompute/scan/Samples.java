@@ -74,10 +74,6 @@ public record Samples(int columns, int rows, Source source) {
         });
     }
 
-    public Samples reshape(int newColumns, int newRows) {
-        return new Samples(newColumns, newRows, source);
-    }
-
     /** Throws ScanException if there are too many, or fewer than announced. */
     public double[] read() throws IOException {
         ScanLimits.requireSize(columns, rows);

@@ -17,7 +17,7 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
     }
 
     public ScanChannel reshape(int columns, int rows) {
-        return new ScanChannel(name, retrace, samples.reshape(columns, rows), extent, unit);
+        return new ScanChannel(name, retrace, new Samples(columns, rows, samples.source()), extent, unit);
     }
 
     /** Such as "512 x 512 samples, in nm". */

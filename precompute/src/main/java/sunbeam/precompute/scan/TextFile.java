@@ -43,7 +43,8 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         byte[] bytes = file.head(LONGEST_HEADER);
         Charset charset = charset(bytes);
         String head = withoutCutWord(new String(bytes, charset), bytes.length < file.size());
-        if (!isText(head)) {
+        boolean isText = head.chars().allMatch(c -> c >= ' ' || "\t\n\r\f".indexOf(c) >= 0);
+        if (head.isEmpty() || !isText) {
             return Optional.empty();
         }
         List<String> header = new ArrayList<>();
@@ -83,11 +84,6 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 .decode(ByteBuffer.wrap(head), CharBuffer.allocate(head.length), false)
                 .isError();
         return broken ? StandardCharsets.ISO_8859_1 : StandardCharsets.UTF_8;
-    }
-
-    private static boolean isText(String head) {
-        return !head.isEmpty()
-                && head.chars().allMatch(c -> c >= ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f');
     }
 
     /** Removes the last word, which may be cut off. */
@@ -132,10 +128,6 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 .orElse(Double.NaN);
     }
 
-    Facts facts() {
-        return Facts.of(header);
-    }
-
     /** Facts of a text's header, under the keys of Gwyddion, SPIP, Park's XEI and WSxM. */
     record Facts(String channel, Optional<Integer> columns, Optional<Integer> rows, Extent extent, String unit) {
         private static final Pattern LINE =
@@ -152,7 +144,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         private static final List<String> UNIT =
                 List.of("value units", "z-unit", "z unit", "zunits", "data unit", "height unit", "unit", "units");
 
-        private static Facts of(List<String> lines) {
+        static Facts of(List<String> lines) {
             Header header = new Header();
             List<String> inOrder = new ArrayList<>();
             for (String line : lines) {
@@ -169,30 +161,19 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
             Optional<Double> width = first(header, WIDTH).flatMap(key -> header.meters(key, sideUnit));
             Optional<Double> height = first(header, HEIGHT).flatMap(key -> header.meters(key, sideUnit));
             Optional<String> unit = first(header, UNIT).flatMap(header::find);
-            if (width.isEmpty() || unit.isEmpty()) {
-                Optional<Facts> translated = inOrder(inOrder);
-                if (translated.isPresent()) {
-                    return translated.get();
+            if ((width.isEmpty() || unit.isEmpty()) && inOrder.size() == 4) {
+                // Gwyddion's four lines (channel, width, height, unit) have keys in the user's language.
+                Optional<Double> second = Header.Quantity.of(inOrder.get(1)).flatMap(some -> some.meters(""));
+                Optional<Double> third = Header.Quantity.of(inOrder.get(2)).flatMap(some -> some.meters(""));
+                if (second.isPresent() && third.isPresent()) {
+                    Extent extent = new Extent(second, third, 1);
+                    return new Facts(inOrder.get(0), Optional.empty(), Optional.empty(), extent, inOrder.get(3));
                 }
             }
             String channel = first(header, CHANNEL).flatMap(header::find).orElse("");
             Optional<Integer> columns = first(header, COLUMNS).map(header::count);
             Optional<Integer> rows = first(header, ROWS).map(header::count);
             return new Facts(channel, columns, rows, new Extent(width, height, 1), unit.orElse(""));
-        }
-
-        /** Gwyddion's four lines (channel, width, height, unit) have keys in the user's language. */
-        private static Optional<Facts> inOrder(List<String> values) {
-            if (values.size() != 4) {
-                return Optional.empty();
-            }
-            Optional<Double> width = Header.Quantity.of(values.get(1)).flatMap(some -> some.meters(""));
-            Optional<Double> height = Header.Quantity.of(values.get(2)).flatMap(some -> some.meters(""));
-            if (width.isEmpty() || height.isEmpty()) {
-                return Optional.empty();
-            }
-            Extent extent = new Extent(width, height, 1);
-            return Optional.of(new Facts(values.get(0), Optional.empty(), Optional.empty(), extent, values.get(3)));
         }
 
         private static Optional<String> first(Header header, List<String> names) {

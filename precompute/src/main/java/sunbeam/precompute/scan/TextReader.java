@@ -38,7 +38,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
     /** Throws ScanException if the file cannot be used. */
     public List<ScanChannel> channels(ScanBytes file) throws IOException {
         TextFile text = TextFile.of(file, decimalMark).orElseThrow();
-        TextFile.Facts facts = text.facts();
+        TextFile.Facts facts = TextFile.Facts.of(text.header());
         TextNumbers numbers = text.numbers();
         boolean matrix = facts.extent().width().isPresent() || facts.columns().isPresent();
         boolean three = numbers.columns() == POINT && numbers.isRectangular() && numbers.rows() > POINT;
@@ -157,12 +157,10 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
                         .filter(i -> sorted[i] - sorted[i - 1] > sameLine)
                         .count();
                 Axis axis = new Axis(least, range / steps, steps + 1);
-                return Arrays.stream(sorted).allMatch(axis::isOnLine) ? Optional.of(axis) : Optional.empty();
-            }
-
-            private boolean isOnLine(double coordinate) {
-                double position = (coordinate - first) / pitch;
-                return Math.abs(position - Math.rint(position)) <= MOST_OFF;
+                boolean onLines = Arrays.stream(sorted)
+                        .map(coordinate -> (coordinate - axis.first) / axis.pitch)
+                        .allMatch(position -> Math.abs(position - Math.rint(position)) <= MOST_OFF);
+                return onLines ? Optional.of(axis) : Optional.empty();
             }
         }
 

@@ -37,14 +37,11 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     /** True if a tag is on the first {@code pages} pages; false for unreadable files. */
     static boolean has(ScanBytes file, int pages, int tag) throws IOException {
         try {
-            return isTiff(file) && read(file).stream().limit(pages).anyMatch(page -> page.has(tag));
+            return file.startsWith("II*\0", "MM\0*", "II+\0", "MM\0+")
+                    && read(file).stream().limit(pages).anyMatch(page -> page.has(tag));
         } catch (ScanException damaged) {
             return false;
         }
-    }
-
-    static boolean isTiff(ScanBytes file) throws IOException {
-        return file.startsWith("II*\0", "MM\0*", "II+\0", "MM\0+");
     }
 
     static List<TiffPage> read(ScanBytes file) throws IOException {

@@ -39,11 +39,7 @@ public final class BuiltInPatches {
     }
 
     public static HeightMap generate(String name) {
-        Supplier<HeightMap> generator = GENERATORS.get(name);
-        if (generator == null) {
-            throw new IllegalArgumentException("no built-in patch is called " + name);
-        }
-        return generator.get();
+        return GENERATORS.get(name).get();
     }
 
     /** Samples the profile at the middle of each interval of x in 0..1. */
@@ -135,16 +131,12 @@ public final class BuiltInPatches {
                 double beyond = Math.max(0, Math.abs(row * PITCH - middle) - straight);
                 for (int column = firstColumn; column <= lastColumn; column++) {
                     double outside = Math.hypot(column * PITCH - center, beyond) - PIT_WIDTH / 2;
+                    double wall = Math.max(-1, Math.min(1, 2 * outside / WALL_WIDTH));
                     int index = Math.floorMod(row, SAMPLES) * SAMPLES + Math.floorMod(column, SAMPLES);
-                    heights[index] = Math.min(heights[index], -PIT_DEPTH * depthAt(outside));
+                    heights[index] =
+                            Math.min(heights[index], -PIT_DEPTH * (1 - StrictMath.sin(StrictMath.PI / 2 * wall)) / 2);
                 }
             }
-        }
-
-        /** Relative depth at a distance in meters outside the contour of half depth. */
-        private static double depthAt(double outside) {
-            double z = Math.max(-1, Math.min(1, 2 * outside / WALL_WIDTH));
-            return (1 - StrictMath.sin(StrictMath.PI / 2 * z)) / 2;
         }
     }
 

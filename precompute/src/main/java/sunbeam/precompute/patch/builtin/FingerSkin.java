@@ -68,7 +68,10 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
             while (down < lines[0]) {
                 down += SIDE;
             }
-            int next = stripOf(down, lines, strip);
+            int next = down < lines[strip] ? 0 : strip;
+            while (down >= lines[next + 1]) {
+                next++;
+            }
             if (next != strip) {
                 strip = next;
                 plates = strip(strip, lines, rows);
@@ -87,14 +90,6 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         int upper = strip % rows.length;
         int lower = Math.floorMod(strip - 1, rows.length);
         return new Strip(rows[upper], rows[lower], lines[upper + 1] - lines[upper], lines[lower + 1] - lines[lower]);
-    }
-
-    private static int stripOf(double down, double[] lines, int guess) {
-        int strip = down < lines[guess] ? 0 : guess;
-        while (down >= lines[strip + 1]) {
-            strip++;
-        }
-        return strip;
     }
 
     /** Returns distances of the rows' lines from the top, over two periods, in meters; close lines are moved apart. */

@@ -70,36 +70,26 @@ record RowLayout(
         double[][] centers = new double[rows][];
         for (int row = 0; row < centers.length; row++) {
             double[] regular = intervalStarts(smooth[row], side);
-            centers[row] = sortedWithin(regular, -meanDeviation(regular, side), side);
+            double deviation = 0;
+            for (int i = 0; i < regular.length; i++) {
+                deviation += regular[i] - i * side / regular.length;
+            }
+            centers[row] = sortedWithin(regular, -deviation / regular.length, side);
         }
         return centers;
     }
 
-    private static double meanDeviation(double[] positions, double side) {
-        double sum = 0;
-        for (int i = 0; i < positions.length; i++) {
-            sum += positions[i] - i * side / positions.length;
-        }
-        return sum / positions.length;
-    }
-
     /** Intervals that fill the side, with lengths off their mean by the given fractions. */
     private static double[] intervalStarts(double[] deviations, double side) {
-        int count = deviations.length;
-        double[] lengths = new double[count];
+        double[] starts = new double[deviations.length];
         double sum = 0;
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < starts.length; i++) {
+            starts[i] = sum;
             // Shorter ones would merge two neighbors.
-            lengths[i] = Math.max(0.4, 1 + deviations[i]);
-            sum += lengths[i];
+            sum += Math.max(0.4, 1 + deviations[i]);
         }
-        double[] starts = new double[count];
-        double start = 0;
-        for (int i = 0; i < count; i++) {
-            starts[i] = start * side / sum;
-            start += lengths[i];
-        }
-        return starts;
+        double total = sum;
+        return Arrays.stream(starts).map(start -> start * side / total).toArray();
     }
 
     private static double[] sortedWithin(double[] centers, double offset, double side) {

@@ -52,7 +52,14 @@ final class SeededNoise {
                 }
             }
         }
-        return scaledToRms(sumOverRows(real, imaginary, rows), rms);
+        double[] field = sumOverRows(real, imaginary, rows);
+        double squares = 0;
+        for (double value : field) {
+            squares += value * value;
+        }
+        double factor = rms / StrictMath.sqrt(squares / field.length);
+        Arrays.setAll(field, i -> factor * field[i]);
+        return field;
     }
 
     private static double[] sumOverRows(double[][] real, double[][] imaginary, int rows) {
@@ -82,38 +89,20 @@ final class SeededNoise {
         return circle;
     }
 
-    private static double[] scaledToRms(double[] field, double rms) {
-        double squares = 0;
-        for (double value : field) {
-            squares += value * value;
-        }
-        double factor = rms / StrictMath.sqrt(squares / field.length);
-        for (int i = 0; i < field.length; i++) {
-            field[i] *= factor;
-        }
-        return field;
-    }
-
     /** White noise of standard deviation 1, smoothed with a Gaussian of sigma samples. */
     double[] grain(int samples, double sigma) {
         double[] grains = new double[samples * samples];
         Arrays.setAll(grains, i -> normal());
-        double[] kernel = kernel(sigma);
-        return smoothed(smoothed(grains, kernel, samples, 1, samples), kernel, samples, samples, 1);
-    }
-
-    /** Half of a Gaussian from its center with a sum of squares of 1, so that noise keeps its variance. */
-    private static double[] kernel(double sigma) {
+        // Half of a Gaussian from its center with a sum of squares of 1, so that noise keeps its variance.
         double[] kernel = new double[1 + (int) Math.ceil(3 * sigma)];
-        double squares = 0;
-        for (int i = 0; i < kernel.length; i++) {
-            kernel[i] = StrictMath.exp(-i * i / (2 * sigma * sigma));
-            squares += (i == 0 ? 1 : 2) * kernel[i] * kernel[i];
+        Arrays.setAll(kernel, i -> StrictMath.exp(-i * i / (2 * sigma * sigma)));
+        double squares = kernel[0] * kernel[0];
+        for (int i = 1; i < kernel.length; i++) {
+            squares += 2 * kernel[i] * kernel[i];
         }
-        for (int i = 0; i < kernel.length; i++) {
-            kernel[i] /= StrictMath.sqrt(squares);
-        }
-        return kernel;
+        double norm = StrictMath.sqrt(squares);
+        Arrays.setAll(kernel, i -> kernel[i] / norm);
+        return smoothed(smoothed(grains, kernel, samples, 1, samples), kernel, samples, samples, 1);
     }
 
     /** Convolves all lines along one axis with a symmetric kernel, given from its center on, periodically. */
