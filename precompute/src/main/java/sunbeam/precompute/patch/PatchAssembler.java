@@ -56,6 +56,8 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 choices.get(EDGES, piece ? Edges.BLEND : Edges.REPEAT));
         Crop.Samples samples = samples(measured);
         Preparation.Prepared prepared = prepared(preparation, measured);
+        HeightMap surface = prepared.surface();
+        HeightMap scan = prepared.scan();
         List<ScanFault> faults = repetition == Patch.Repetition.PERIODIC
                 ? List.of()
                 : faults(measured, preparation.leveling(), samples.area(measured));
@@ -65,14 +67,12 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
         faults.forEach(fault -> warnings.add(fault.line()));
         warnings.addAll(warnings(preparation, prepared));
-        repetitionWarning(measured, prepared.scan(), preparation, repetition).ifPresent(warnings::add);
-        Plausibility.mirror(prepared.scan()).ifPresent(warnings::add);
-        Plausibility.pitch(prepared.surface()).ifPresent(warnings::add);
+        repetitionWarning(measured, scan, preparation, repetition).ifPresent(warnings::add);
+        Plausibility.mirror(scan).ifPresent(warnings::add);
+        Plausibility.pitch(surface).ifPresent(warnings::add);
         // Before blending, which bends the border.
-        ModelError.of(prepared.scan()).warning().ifPresent(warnings::add);
+        ModelError.of(scan).warning().ifPresent(warnings::add);
         String source = read.source() + ", " + String.join(", ", prepared.steps());
-        HeightMap surface = prepared.surface();
-        HeightMap scan = prepared.scan();
         return new Patch(name, surface, scan, source, read.channels(), read.notes(), warnings, faults, repetition);
     }
 

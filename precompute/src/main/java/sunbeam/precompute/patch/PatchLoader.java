@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.OwnFolder;
@@ -52,11 +53,8 @@ public final class PatchLoader {
 
     private static Patch loadHere(PatchRequest request, HeightCache cache) {
         String name = request.patch().strip();
-        if (name.isEmpty()) {
-            throw unusable("is empty; ");
-        }
         if (BuiltInPatches.names().contains(name)) {
-            return fromBuiltIn(name, builtIn(name, request, cache), request);
+            return fromBuiltIn(name, request, cache);
         }
         Path file = existing(request.patch());
         PatchAssembler.Kind kind = request.raw() ? PatchAssembler.Kind.DESCRIBED : PatchAssembler.Kind.GIVEN_DIRECTLY;
@@ -66,16 +64,18 @@ public final class PatchLoader {
     }
 
     private static Path existing(String given) {
+        if (given.isBlank()) {
+            throw unusable("is empty; ");
+        }
         try {
-            for (String name : List.of(given, given.strip())) {
-                if (Files.exists(Path.of(name))) {
-                    return Path.of(name);
-                }
-            }
+            return Stream.of(given, given.strip())
+                    .map(Path::of)
+                    .filter(Files::exists)
+                    .findFirst()
+                    .orElseThrow(() -> unusable("is neither a built-in patch nor an existing file; "));
         } catch (InvalidPathException e) {
             throw unusable("is no file name (" + e.getReason() + "); ");
         }
-        throw unusable("is neither a built-in patch nor an existing file; ");
     }
 
     private static SettingException unusable(String problem) {
@@ -84,15 +84,12 @@ public final class PatchLoader {
         return new SettingException(PATCH, problem + remedy, WIDTH, " and ", MAX_HEIGHT);
     }
 
-    /** Only heights with the default leveling are cached. */
-    private static HeightMap builtIn(String name, PatchRequest request, HeightCache cache) {
-        return request.find(PatchSettings.LEVEL).isPresent()
+    private static Patch fromBuiltIn(String name, PatchRequest request, HeightCache cache) {
+        String what = "the built-in patch " + name;
+        // Only heights with the default leveling are cached.
+        HeightMap map = request.find(PatchSettings.LEVEL).isPresent()
                 ? BuiltInPatches.generate(name)
                 : cache.get(name, () -> Leveling.MEAN.apply(BuiltInPatches.generate(name)));
-    }
-
-    private static Patch fromBuiltIn(String name, HeightMap map, PatchRequest request) {
-        String what = "the built-in patch " + name;
         requireNoScale(request, what);
         if (request.find(CHANNEL).isPresent()) {
             throw new SettingException(CHANNEL, "contradicts " + what + ", which is no scan or image; leave it out");
@@ -106,8 +103,15 @@ public final class PatchLoader {
         String what = descriptor.file().toString();
         requireNoScale(request, what);
         Choices described = descriptor.choices();
-        requireAgreed(CHANNEL, request, described, what);
-        PatchSettings.PREPARING.forEach(setting -> requireAgreed(setting, request, described, what));
+        for (Setting<?> setting : PatchSettings.OF_FILES) {
+            boolean both = request.find(setting).isPresent() && described.has(setting);
+            if (both && !request.find(setting).equals(described.find(setting))) {
+                throw new SettingException(
+                        setting,
+                        "contradicts " + what + ", which says " + described.written(setting)
+                                + "; leave it out or edit the descriptor");
+            }
+        }
         Choices all = described.over(request.choices());
         return all.located(() -> fromFile(descriptor.file(), descriptor.heights(), all, PatchAssembler.Kind.DESCRIBED));
     }
@@ -118,16 +122,6 @@ public final class PatchLoader {
                 throw new SettingException(
                         setting, "contradicts " + what + ", which has its own scale; leave it out, or name an image");
             }
-        }
-    }
-
-    private static void requireAgreed(Setting<?> setting, PatchRequest request, Choices described, String what) {
-        boolean both = request.find(setting).isPresent() && described.has(setting);
-        if (both && !request.find(setting).equals(described.find(setting))) {
-            throw new SettingException(
-                    setting,
-                    "contradicts " + what + ", which says " + described.written(setting)
-                            + "; leave it out or edit the descriptor");
         }
     }
 

@@ -1,5 +1,6 @@
 package sunbeam.precompute.prepare;
 
+import java.util.function.DoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.optics.HeightMap;
@@ -14,7 +15,7 @@ public record Crop(double left, double right, double bottom, double top) {
     public static final ValueKind<Crop> KIND = ValueKind.text(
             "AREA",
             Crop::parse,
-            crop -> format(crop.left, crop.right, crop.bottom, crop.top),
+            crop -> format(Lengths::exact, crop.left, crop.right, crop.bottom, crop.top),
             "LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um");
 
     private static final Pattern FORM = Pattern.compile("([^:,]+):([^:,]+),([^:,]+):([^:,]+)");
@@ -24,8 +25,8 @@ public record Crop(double left, double right, double bottom, double top) {
 
     public Crop {
         if (!(left >= 0 && bottom >= 0 && right > left && top > bottom)) {
-            throw new IllegalArgumentException(
-                    format(left, right, bottom, top) + " is no area: give LEFT:RIGHT,BOTTOM:TOP from 0 upwards");
+            throw new IllegalArgumentException(format(Lengths::exact, left, right, bottom, top)
+                    + " is no area: give LEFT:RIGHT,BOTTOM:TOP from 0 upwards");
         }
     }
 
@@ -43,15 +44,27 @@ public record Crop(double left, double right, double bottom, double top) {
         return text.strip().equals("0") ? 0 : Lengths.parse(text.strip());
     }
 
-    private static String format(double left, double right, double bottom, double top) {
-        return Lengths.exact(left) + ":" + Lengths.exact(right) + "," + Lengths.exact(bottom) + ":"
-                + Lengths.exact(top);
+    private static String format(DoubleFunction<String> length, double left, double right, double bottom, double top) {
+        return length.apply(left) + ":" + length.apply(right) + "," + length.apply(bottom) + ":" + length.apply(top);
     }
 
     /** Rectangle of a scan's samples; row 0 is the top one, ends are exclusive. */
     public record Samples(int firstColumn, int endColumn, int firstRow, int endRow) {
         public static Samples allOf(HeightMap field) {
             return new Samples(0, field.columns(), 0, field.rows());
+        }
+
+        private int columns() {
+            return Math.max(0, endColumn - firstColumn);
+        }
+
+        private int rows() {
+            return Math.max(0, endRow - firstRow);
+        }
+
+        /** Returns some of these rows, from the first one on. */
+        Samples rows(int from, int to) {
+            return new Samples(firstColumn, endColumn, firstRow + from, firstRow + to);
         }
 
         public Crop area(HeightMap field) {
@@ -70,7 +83,7 @@ public record Crop(double left, double right, double bottom, double top) {
 
     /** Returns the text form with six digits, enough to select the same samples. */
     public String written() {
-        return written(left) + ":" + written(right) + "," + written(bottom) + ":" + written(top);
+        return format(Crop::written, left, right, bottom, top);
     }
 
     private static String written(double meters) {
@@ -84,28 +97,23 @@ public record Crop(double left, double right, double bottom, double top) {
                     + Lengths.format(field.height()) + "; give an area within 0:"
                     + written(field.width()) + ",0:" + written(field.height()));
         }
-        int firstColumn = first(left, field.pitchX());
-        int endColumn = Math.min(field.columns(), first(right, field.pitchX()));
         // Rows run downwards, y upwards.
-        int firstRow = field.rows() - Math.min(field.rows(), first(top, field.pitchY()));
-        int endRow = field.rows() - first(bottom, field.pitchY());
-        int columns = Math.max(0, endColumn - firstColumn);
-        int rows = Math.max(0, endRow - firstRow);
-        if ((long) columns * rows < 2) {
-            throw new IllegalArgumentException("holds " + columns + " x " + rows + " samples, which lie "
-                    + Lengths.format(field.pitchX()) + " x " + Lengths.format(field.pitchY())
+        Samples samples = new Samples(
+                first(left, field.pitchX()),
+                Math.min(field.columns(), first(right, field.pitchX())),
+                field.rows() - Math.min(field.rows(), first(top, field.pitchY())),
+                field.rows() - first(bottom, field.pitchY()));
+        if ((long) samples.columns() * samples.rows() < 2) {
+            throw new IllegalArgumentException("holds " + samples.columns() + " x " + samples.rows()
+                    + " samples, which lie " + Lengths.format(field.pitchX()) + " x " + Lengths.format(field.pitchY())
                     + " apart; give a larger area");
         }
-        return new Samples(firstColumn, endColumn, firstRow, endRow);
+        return samples;
     }
 
     public HeightMap apply(HeightMap field) {
         Samples samples = samples(field);
-        return field.part(
-                samples.firstColumn,
-                samples.firstRow,
-                samples.endColumn - samples.firstColumn,
-                samples.endRow - samples.firstRow);
+        return field.part(samples.firstColumn, samples.firstRow, samples.columns(), samples.rows());
     }
 
     /** Returns the index of the first sample whose center lies at or beyond a position, meters. */

@@ -1,5 +1,6 @@
 package sunbeam.precompute.prepare;
 
+import java.util.Arrays;
 import sunbeam.precompute.optics.HeightMap;
 
 /** Treatment of a scan's border, where its repetition begins. */
@@ -97,11 +98,10 @@ public enum Edges {
         private static Seam of(double[] squares) {
             int inside = squares.length - 1;
             double sum = 0;
-            double steepest = 0;
             for (int i = 0; i < inside; i++) {
                 sum += squares[i];
-                steepest = Math.max(steepest, squares[i]);
             }
+            double steepest = Arrays.stream(squares, 0, inside).max().orElse(0);
             return inside == 0
                     ? new Seam(0, 0, 0)
                     : new Seam(Math.sqrt(squares[inside]), Math.sqrt(sum / inside), Math.sqrt(steepest));

@@ -12,7 +12,6 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Preparation.Spikes;
-import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -106,23 +105,20 @@ public final class ScanFaults {
         if (offsets.size() < FEWEST_ROWS || !(spread > 0)) {
             return List.of();
         }
-        List<ScanFault> faults = new ArrayList<>();
         List<Offset> jumps = jumps();
+        List<ScanFault> faults = new ArrayList<>();
         for (Offset jump : jumps) {
-            faults.add(leveled(Text.format(
-                    "all heights jump by %s between rows %d and %d of %d (from the top)",
-                    Lengths.rounded(Math.abs(jump.median), 2),
-                    place.firstRow() + jump.row + 1,
-                    place.firstRow() + jump.row + 2,
-                    whole.rows())));
+            String height = Lengths.rounded(Math.abs(jump.median), 2);
+            int above = place.firstRow() + jump.row + 1;
+            faults.add(leveled("all heights jump by " + height + " between rows " + above + " and " + (above + 1)
+                    + " of " + whole.rows() + " (from the top)"));
         }
         double[] others = offsets.stream()
                 .filter(offset -> !jumps.contains(offset))
                 .mapToDouble(offset -> Math.max(-3 * deviation, Math.min(3 * deviation, offset.median - medianOffset)))
                 .toArray();
         if (deviation >= LEAST_OFFSET * spread && areIndependent(others)) {
-            faults.add(leveled(
-                    Text.format("rows have offsets of %s rms from their neighbors", Lengths.rounded(deviation, 2))));
+            faults.add(leveled("rows have offsets of " + Lengths.rounded(deviation, 2) + " rms from their neighbors"));
         }
         return faults;
     }
@@ -150,11 +146,10 @@ public final class ScanFaults {
 
     private static boolean areIndependent(double[] offsets) {
         double square = correlation(offsets, 0);
-        if (!(square > 0) || correlation(offsets, 1) > LARGEST_WITH_NEXT * square) {
-            return false;
-        }
-        return IntStream.rangeClosed(2, offsets.length / 4)
-                .allMatch(lag -> correlation(offsets, lag) <= LARGEST_BEYOND * square);
+        return square > 0
+                && correlation(offsets, 1) <= LARGEST_WITH_NEXT * square
+                && IntStream.rangeClosed(2, offsets.length / 4)
+                        .allMatch(lag -> correlation(offsets, lag) <= LARGEST_BEYOND * square);
     }
 
     private static double correlation(double[] values, int lag) {
@@ -199,7 +194,11 @@ public final class ScanFaults {
             for (int row = 0; row < scan.rows(); row++) {
                 unmeasured.set(row, isMissing(row) || isConstant(row, -1, 0));
             }
-            boolean noisy = rowsDiffer();
+            long same = IntStream.range(scan.columns(), scan.heights().length)
+                    .filter(i -> scan.heights()[i] == scan.heights()[i - scan.columns()])
+                    .count();
+            long samples = (long) (scan.rows() - unmeasured.cardinality()) * scan.columns();
+            boolean noisy = samples > 2 * same;
             BitSet repeated = new BitSet();
             for (int row = 1; row < scan.rows() && noisy; row++) {
                 repeated.set(row, isConstant(row, row - 1, slack));
@@ -216,20 +215,11 @@ public final class ScanFaults {
             return row + 1 < scan.rows() && !unmeasured.get(row) && !unmeasured.get(row + 1);
         }
 
-        private boolean rowsDiffer() {
-            double[] heights = scan.heights();
-            long same = IntStream.range(scan.columns(), heights.length)
-                    .filter(i -> heights[i] == heights[i - scan.columns()])
-                    .count();
-            long measured = heights.length - (long) unmeasured.cardinality() * scan.columns();
-            return measured > 2 * same;
-        }
-
         private boolean isMissing(int row) {
-            return IntStream.range(0, scan.columns())
-                            .filter(column -> !Double.isFinite(scan.at(column, row)))
-                            .count()
-                    >= MISSING * scan.columns();
+            long missing = IntStream.range(0, scan.columns())
+                    .filter(column -> !Double.isFinite(scan.at(column, row)))
+                    .count();
+            return missing >= MISSING * scan.columns();
         }
 
         /** True if a row minus another, or the row itself if {@code other} is negative, is constant within {@code slack} meters. */
@@ -265,16 +255,11 @@ public final class ScanFaults {
             measured.flip(0, scan.rows());
             Optional<Crop> part = runs(measured).stream()
                     .max(Comparator.comparingInt(run -> run[1] - run[0]))
-                    .map(run -> new Crop.Samples(
-                                    place.firstColumn(),
-                                    place.endColumn(),
-                                    place.firstRow() + run[0],
-                                    place.firstRow() + run[1])
-                            .area(whole));
-            String words = Text.format(
-                    "%s %s of %d (from the top) hold no measurement: missing, constant, or equal to the row above",
-                    unmeasured.cardinality() == 1 ? "row" : "rows", numbers(place.firstRow() + 1), whole.rows());
-            double share = (double) unmeasured.cardinality() / scan.rows();
+                    .map(run -> place.rows(run[0], run[1]).area(whole));
+            int count = unmeasured.cardinality();
+            String words = (count == 1 ? "row " : "rows ") + numbers(place.firstRow() + 1) + " of " + whole.rows()
+                    + " (from the top) hold no measurement: missing, constant, or equal to the row above";
+            double share = (double) count / scan.rows();
             return Optional.of(new ScanFault(words, part, Optional.empty(), share, ""));
         }
 
