@@ -229,12 +229,11 @@ public record GratingPeriod(
     public String interval() {
         double uncertainty = NANOMETERS_PER_METER * (Double.isFinite(high) ? 0.5 * (high - low) : 0.5 * low);
         String middle = Decimals.within(NANOMETERS_PER_METER * period(), uncertainty) + " nm";
-        return isExact()
-                ? middle
-                : middle + ", 95 % interval " + Decimals.within(NANOMETERS_PER_METER * low, uncertainty) + " to "
-                        + (Double.isFinite(high)
-                                ? Decimals.within(NANOMETERS_PER_METER * high, uncertainty) + " nm"
-                                : "any length");
+        String from = Decimals.within(NANOMETERS_PER_METER * low, uncertainty);
+        String to = Double.isFinite(high)
+                ? Decimals.within(NANOMETERS_PER_METER * high, uncertainty) + " nm"
+                : "any length";
+        return isExact() ? middle : middle + ", 95 % interval " + from + " to " + to;
     }
 
     public String estimate() {
@@ -256,11 +255,11 @@ public record GratingPeriod(
         }
         // A scanner's axes are known to tenths of a degree.
         String line = interval() + Text.format(", in direction %.1f", degrees(wave, 10));
-        return isExact()
-                ? line + " degrees: the patch repeats"
-                : line
-                        + Text.format(
-                                " +- %.1f degrees; seen %.1f times, %.0f %% of the relevant variance",
-                                Math.max(0.1, Math.toDegrees(azimuthHalfWidth)), periods, 100 * share);
+        if (isExact()) {
+            return line + " degrees: the patch repeats";
+        }
+        double turn = Math.max(0.1, Math.toDegrees(azimuthHalfWidth));
+        String evidence = " +- %.1f degrees; seen %.1f times, %.0f %% of the relevant variance";
+        return line + Text.format(evidence, turn, periods, 100 * share);
     }
 }

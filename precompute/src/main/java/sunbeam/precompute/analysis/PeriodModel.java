@@ -119,12 +119,10 @@ record PeriodModel(
             return vague.none(gloss + ", is no stronger than one of noise");
         }
         if (few) {
+            String evidence = ", is seen only %.1f times; its lines explain only %.0f %% of the heights' variance";
             return straight
                     ? vague.probable(Text.format("%.1f periods seen, too few for an interval", seen))
-                    : vague.none(gloss
-                            + Text.format(
-                                    ", is seen only %.1f times; its lines explain only %.0f %% of the heights' variance",
-                                    seen, 100 * inLines));
+                    : vague.none(gloss + Text.format(evidence, seen, 100 * inLines));
         }
         double samples = wave.samplesIn(scan);
         if (samples < FEWEST_SAMPLES) {
@@ -134,10 +132,9 @@ record PeriodModel(
                     : vague.none(gloss + ", has only " + sampled);
         }
         GratingPeriod found = sharp ? byPhase(vague) : byTiles(vague, sharpness >= AS_STRONG ? line : wave);
-        if (1 / found.low() - 1 / found.high() <= 2 * WIDEST * wave.length()) {
-            return found;
-        }
-        return found.probable("so uneven that this scan does not determine it to 10 %; use a larger one");
+        return 1 / found.low() - 1 / found.high() <= 2 * WIDEST * wave.length()
+                ? found
+                : found.probable("so uneven that this scan does not determine it to 10 %; use a larger one");
     }
 
     /** Returns the share, 0..1, of the variance in means along the wave's straight lines. */
@@ -159,7 +156,7 @@ record PeriodModel(
         }
         double left = 0;
         for (int i = 0; i < count; i++) {
-            left += counts[i] > 0 ? sums[i] * sums[i] / counts[i] : 0;
+            left += sums[i] * sums[i] / Math.max(1, counts[i]);
         }
         return left / all;
     }

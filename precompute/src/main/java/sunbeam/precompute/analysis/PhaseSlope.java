@@ -22,10 +22,6 @@ record PhaseSlope(double value, double halfWidth) {
 
     /** Hann windows: sums of heights times exp(-2 pi i f x), and of weights. */
     private record Windows(double[] re, double[] im, double[] filled) {
-        Windows(int count) {
-            this(new double[count], new double[count], new double[count]);
-        }
-
         double weight(int i) {
             return Math.hypot(re[i], im[i]);
         }
@@ -76,18 +72,15 @@ record PhaseSlope(double value, double halfWidth) {
         if (!(step > 0)) {
             return new PhaseSlope(0, Double.POSITIVE_INFINITY);
         }
-        Windows windows = new Windows(count);
-        fill(windows, level, wave, azimuth, step, across);
+        Windows windows = windows(count, level, wave, azimuth, step, across);
         double fullest = Arrays.stream(windows.filled()).max().orElseThrow();
         int first = 0;
         int last = count - 1;
         while (last - first > 2 * PER_LENGTH
                 && Math.min(windows.filled()[first], windows.filled()[last]) < LEAST_FILLED * fullest) {
-            if (windows.filled()[first] < windows.filled()[last]) {
-                first += PER_LENGTH;
-            } else {
-                last -= PER_LENGTH;
-            }
+            boolean atStart = windows.filled()[first] < windows.filled()[last];
+            first += atStart ? PER_LENGTH : 0;
+            last -= atStart ? 0 : PER_LENGTH;
         }
         return fitted(windows, first, last, step);
     }
@@ -96,14 +89,14 @@ record PhaseSlope(double value, double halfWidth) {
         return level.width() * Math.abs(Math.cos(azimuth)) + level.height() * Math.abs(Math.sin(azimuth));
     }
 
-    private static void fill(
-            Windows windows, HeightMap level, SpatialFrequency wave, double azimuth, double step, boolean across) {
+    private static Windows windows(
+            int count, HeightMap level, SpatialFrequency wave, double azimuth, double step, boolean across) {
+        Windows windows = new Windows(new double[count], new double[count], new double[count]);
         double alongX = Math.cos(azimuth);
         double alongY = Math.sin(azimuth);
         double breadth = extent(level, azimuth + 0.5 * Math.PI);
         double start = -0.5 * extent(level, azimuth);
         double window = WINDOW_PERIODS * wave.period();
-        int count = windows.re().length;
         double[] cosines = new double[count];
         double[] sines = new double[count];
         for (int k = 0; k < count; k++) {
@@ -132,6 +125,7 @@ record PhaseSlope(double value, double halfWidth) {
                 }
             }
         }
+        return windows;
     }
 
     /** Weighted least squares with the larger error: of independent phases (stray lines, noise) or a random walk (varying gaps). */

@@ -21,30 +21,29 @@ final class NanoscopeReader {
     private static final Pattern SCALE =
             Pattern.compile("V\\s*(?:\\[([^\\]]*)\\])?\\s*(?:\\(.*\\))?\\s*([-+0-9.eE]+)\\s*(\\S*)\\s*");
 
-    private static final Pattern SENSITIVITY = Pattern.compile("V\\s+([-+0-9.eE]+)\\s*(?:([^/\\s]*)/V)?.*");
+    private static final Pattern SENSITIVITY = Pattern.compile("V\\s+([-+0-9.eE]++)\\s*+([^/\\s]+)/V.*");
     private static final int LONGEST_SCALE = 200;
     private static final Pattern NAME = Pattern.compile("S\\s*(?:\\[([^\\]]*)\\])?\\s*\"?([^\"]*)\"?\\s*");
 
     private NanoscopeReader() {}
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
-        if (file.startsWith("\\*Force")) {
-            throw new ScanException("holds force curves and no scan; export its height channel as an image file");
-        }
+        ScanException.refuseIf(
+                file.startsWith("\\*Force"),
+                "holds force curves and no scan; export its height channel as an image file");
         Header common = new Header();
         List<Header> images = new ArrayList<>();
         Header list = common;
-        for (String line : file.headText(Header.LARGEST).lines().toList()) {
-            if (line.matches("\\\\\\*.{0,9}File list end.*")) {
-                break;
-            }
+        String head = file.headText(Header.LARGEST);
+        Iterable<String> lines =
+                head.lines().takeWhile(line -> !line.matches("\\\\\\*.{0,9}File list end.*"))::iterator;
+        for (String line : lines) {
             Matcher matcher = LINE.matcher(line);
-            if (line.startsWith("\\*")) {
-                boolean image = line.toLowerCase(Locale.ROOT).contains("image list");
-                list = image ? new Header() : common;
-                if (image) {
-                    images.add(list);
-                }
+            if (line.startsWith("\\*") && line.toLowerCase(Locale.ROOT).contains("image list")) {
+                list = new Header();
+                images.add(list);
+            } else if (line.startsWith("\\*")) {
+                list = common;
             } else if (matcher.matches()) {
                 list.put(matcher.group(1).strip().toLowerCase(Locale.ROOT), matcher.group(2));
             }
@@ -116,10 +115,8 @@ final class NanoscopeReader {
 
     private static String name(Header image) {
         Matcher name = NAME.matcher(image.text("image data", ""));
-        if (!name.matches()) {
-            return "";
-        }
-        return name.group(1) == null || name.group(1).isBlank() ? name.group(2) : name.group(1);
+        boolean named = name.matches();
+        return !named ? "" : name.group(1) == null || name.group(1).isBlank() ? name.group(2) : name.group(1);
     }
 
     private static Header.Quantity scale(Header common, Header image) {
@@ -136,11 +133,7 @@ final class NanoscopeReader {
         String unit = scale.group(3);
         String name = scale.group(1) == null ? "" : scale.group(1).toLowerCase(Locale.ROOT);
         Matcher sensitivity = SENSITIVITY.matcher(common.text(name, ""));
-        boolean volts = unit.isEmpty() || unit.equals("V") || unit.equals("mV");
-        if (!volts
-                || !sensitivity.matches()
-                || sensitivity.group(2) == null
-                || sensitivity.group(2).isEmpty()) {
+        if (!List.of("", "V", "mV").contains(unit) || !sensitivity.matches()) {
             return new Header.Quantity(value, unit);
         }
         double perVolt = unit.equals("mV") ? 1e-3 : 1;

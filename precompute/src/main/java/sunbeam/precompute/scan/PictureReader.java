@@ -142,25 +142,22 @@ final class PictureReader {
     }
 
     /** Returns gray, of one band or three equal ones; red, green and blue; alpha. Samples are missing where alpha is 0. */
-    static List<ScanChannel> channels(
+    private static List<ScanChannel> channels(
             String prefix, List<Samples> colors, Optional<Samples> alpha, Extent extent, String unit)
             throws IOException {
         List<ScanChannel> channels = new ArrayList<>();
-        if (colors.size() == 1 || colorsAreEqual(colors)) {
+        double[] first = colors.size() == 1 ? new double[0] : colors.get(0).read();
+        if (colors.size() == 1
+                || (Arrays.equals(first, colors.get(1).read())
+                        && Arrays.equals(first, colors.get(2).read()))) {
             channels.add(new ScanChannel(prefix + "grey", withoutTransparent(colors.get(0), alpha), extent, unit));
         }
         for (int color = 0; colors.size() == 3 && color < 3; color++) {
-            channels.add(new ScanChannel(
-                    prefix + COLORS.get(color), withoutTransparent(colors.get(color), alpha), extent, unit));
+            Samples band = withoutTransparent(colors.get(color), alpha);
+            channels.add(new ScanChannel(prefix + COLORS.get(color), band, extent, unit));
         }
         alpha.ifPresent(band -> channels.add(new ScanChannel(prefix + "alpha", band, extent, unit)));
         return channels;
-    }
-
-    private static boolean colorsAreEqual(List<Samples> colors) throws IOException {
-        double[] red = colors.get(0).read();
-        return Arrays.equals(red, colors.get(1).read())
-                && Arrays.equals(red, colors.get(2).read());
     }
 
     private static Samples withoutTransparent(Samples color, Optional<Samples> alpha) {

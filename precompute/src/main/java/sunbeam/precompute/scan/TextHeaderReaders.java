@@ -93,8 +93,8 @@ final class TextHeaderReaders {
     private static Map<String, Header> sections(String header) {
         Map<String, Header> sections = new TreeMap<>();
         for (String section : header.split("(?m)^(?=\\[.*\\]$)")) {
-            String path = section.substring(section.startsWith("[") ? 1 : 0, Math.max(0, section.indexOf(']')));
-            sections.putIfAbsent(path.startsWith("DataSet\\") ? path.substring(8) : path, Header.of(section, '='));
+            String path = section.lines().findFirst().orElse("").replaceAll("^\\[(DataSet\\\\)?|\\]$", "");
+            sections.putIfAbsent(path, Header.of(section, '='));
         }
         return sections;
     }
