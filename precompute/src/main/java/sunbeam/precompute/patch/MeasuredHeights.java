@@ -39,13 +39,11 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
     static MeasuredHeights read(Path file, Choices choices) {
         requireReadable(file);
         try (ScanBytes bytes = ScanBytes.open(file)) {
+            ScanException.refuseIf(bytes.size() == 0, "is empty; copy or export it again");
             ScanFormat reader = ScanFormat.find(bytes, choices.find(PatchSettings.DECIMAL_MARK))
-                    .orElseThrow(
-                            () -> new ScanException(
-                                    bytes.size() == 0
-                                            ? "is empty; copy or export it again"
-                                            : "is neither an image nor a scan in a format that Sunbeam knows; open it with"
-                                                    + " Gwyddion, which reads 170 others, and export it as .gwy, .gsf or text"));
+                    .orElseThrow(() -> new ScanException(
+                            "is neither an image nor a scan in a format that Sunbeam knows; open it with Gwyddion,"
+                                    + " which reads 170 others, and export it as .gwy, .gsf or text"));
             return of(file, reader, reader.open(bytes), choices);
         } catch (ScanException unusable) {
             throw new InputException(file + " " + unusable.getMessage(), unusable);
@@ -78,13 +76,12 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
     }
 
     private static int chosen(Path file, ChannelList channels, String wanted) {
+        String nearest = channels.nearest(wanted)
+                .map(name -> " (did you mean " + Quoted.of(name) + "?)")
+                .orElse("");
         int index = channels.find(wanted)
                 .orElseThrow(() -> new SettingException(
-                        CHANNEL,
-                        "is no channel of " + file + ", which has " + channels.names()
-                                + channels.nearest(wanted)
-                                        .map(name -> " (did you mean " + Quoted.of(name) + "?)")
-                                        .orElse("")));
+                        CHANNEL, "is no channel of " + file + ", which has " + channels.names() + nearest));
         ScanChannel channel = channels.channels().get(index);
         if (!channel.maybeHeights()) {
             throw new SettingException(
@@ -152,11 +149,11 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                 .orElse(pitchX * channel.extent().aspect());
         boolean own = channel.extent().width().isPresent();
         Plausibility.requireSides(pitchX * channel.columns(), pitchY * channel.rows(), file, own);
-        Setting<?> from = choices.has(HEIGHT_UNIT) ? HEIGHT_UNIT : MAX_HEIGHT;
         double[] heights = channel.samples().scale(metersPerUnit.get(), 0).read();
         HeightMap map = new HeightMap(channel.columns(), channel.rows(), pitchX, pitchY, heights);
-        boolean scaled = channel.metersPerUnit().isEmpty();
-        Plausibility.requireRelief(map, scaled ? Optional.of(from) : Optional.empty(), file);
+        Optional<Setting<?>> from = Optional.of(choices.has(HEIGHT_UNIT) ? HEIGHT_UNIT : MAX_HEIGHT);
+        Plausibility.requireRelief(
+                map, from.filter(scaled -> channel.metersPerUnit().isEmpty()), file);
         return map;
     }
 
@@ -190,12 +187,13 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                         + (width ? "how large the scan is" + (unit ? " nor " : "") : "")
                         + (unit ? "in which unit its heights are" : "");
         String what = "is missing: " + file + lacks + "; add for example ";
-        String heights = (fromFullScale ? " 375nm" : " nm") + (fromFullScale ? ", or name a descriptor (.json)" : "");
+        String heights = fromFullScale ? " 375nm, or name a descriptor (.json)" : " nm";
         String sides = fromFullScale ? " 65um" : " 20um";
-        return !width
-                ? new SettingException(ofHeights, what, ofHeights, heights)
-                : unit
-                        ? new SettingException(WIDTH, what, WIDTH, sides + " and ", ofHeights, heights)
-                        : new SettingException(WIDTH, what, WIDTH, sides);
+        if (!width) {
+            return new SettingException(ofHeights, what, ofHeights, heights);
+        }
+        return unit
+                ? new SettingException(WIDTH, what, WIDTH, sides + " and ", ofHeights, heights)
+                : new SettingException(WIDTH, what, WIDTH, sides);
     }
 }

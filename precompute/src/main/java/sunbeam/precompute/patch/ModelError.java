@@ -103,17 +103,15 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
     }
 
     public String describe() {
-        String slope = Decimals.rounded(meanSlope, 2);
-        return meanSlope > LARGEST_SLOPE
-                ? "mean slope " + slope + ", beyond the rule: about half of the light is drawn in wrong directions"
-                        + " (docs/theory.md)"
-                : "about " + percent(expected(Incidence.NEAR_NORMAL))
-                        + " of the reflected light is drawn in wrong"
-                        + " directions (" + percent(low(Incidence.NEAR_NORMAL)) + " to "
-                        + percent(high(Incidence.NEAR_NORMAL)) + ") with light up to 30 degrees from the normal, "
-                        + percent(expected(Incidence.OBLIQUE)) + " up to 60, "
-                        + percent(expected(Incidence.GRAZING)) + " up to 75 (mean slope " + slope
-                        + "; docs/theory.md)";
+        String slope = "mean slope " + Decimals.rounded(meanSlope, 2);
+        if (meanSlope > LARGEST_SLOPE) {
+            return slope + ", beyond the rule: about half of the light is drawn in wrong directions (docs/theory.md)";
+        }
+        return "about " + percent(expected(Incidence.NEAR_NORMAL))
+                + " of the reflected light is drawn in wrong directions ("
+                + percent(low(Incidence.NEAR_NORMAL)) + " to " + percent(high(Incidence.NEAR_NORMAL))
+                + ") with light up to 30 degrees from the normal, " + percent(expected(Incidence.OBLIQUE))
+                + " up to 60, " + percent(expected(Incidence.GRAZING)) + " up to 75 (" + slope + "; docs/theory.md)";
     }
 
     private static String percent(double share) {

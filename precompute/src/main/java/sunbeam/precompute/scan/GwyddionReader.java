@@ -104,7 +104,12 @@ final class GwyddionReader {
                 case 'd' -> cursor.float64();
                 case 's' -> cursor.textToNul(LONGEST_TEXT);
                 case 'o' -> read(file, cursor, depth + 1);
-                case 'D' -> numbers(cursor);
+                case 'D' -> {
+                    long count = cursor.unsigned32();
+                    Numbers numbers = new Numbers(cursor.position(), count);
+                    cursor.skip(Double.BYTES * count);
+                    yield numbers;
+                }
                 default -> {
                     skip(cursor, type);
                     yield null;
@@ -119,28 +124,16 @@ final class GwyddionReader {
                 case 'C' -> cursor.skip(cursor.unsigned32());
                 case 'I' -> cursor.skip(Integer.BYTES * cursor.unsigned32());
                 case 'Q' -> cursor.skip(Long.BYTES * cursor.unsigned32());
-                case 'S' -> {
+                case 'S', 'O' -> {
                     for (long i = cursor.unsigned32(); i > 0; i--) {
-                        cursor.textToNul(LONGEST_TEXT);
-                    }
-                }
-                case 'O' -> {
-                    for (long i = cursor.unsigned32(); i > 0; i--) {
-                        cursor.textToNul(LONGEST_NAME);
-                        cursor.skip(cursor.unsigned32());
+                        cursor.textToNul(type == 'S' ? LONGEST_TEXT : LONGEST_NAME);
+                        cursor.skip(type == 'S' ? 0 : cursor.unsigned32());
                     }
                 }
                 default ->
                     throw new ScanException("has a part of the unknown type '" + type + "' at position "
                             + (cursor.position() - 1) + "; save it anew with Gwyddion");
             }
-        }
-
-        private static Numbers numbers(ScanBytes.Cursor cursor) throws IOException {
-            long count = cursor.unsigned32();
-            Numbers numbers = new Numbers(cursor.position(), count);
-            cursor.skip(Double.BYTES * count);
-            return numbers;
         }
 
         <T> T get(String name, Class<T> type) {

@@ -78,12 +78,14 @@ final class PictureReader {
     }
 
     private static BufferedImage decoded(ScanBytes file, String kind) throws IOException {
-        switch (kind) {
-            case "bmp" -> requirePlainBmp(file);
-            case "png" -> {}
-            default ->
-                throw new ScanException("is a " + kind + ", which is not exact; export the scan as PNG, TIFF or BMP");
-        }
+        ScanException.refuseIf(
+                !kind.equals("png") && !kind.equals("bmp"),
+                "is a " + kind + ", which is not exact; export the scan as PNG, TIFF or BMP");
+        byte[] head = file.head(BMP_COMPRESSION + 1);
+        int compression = kind.equals("bmp") && head.length > BMP_COMPRESSION ? head[BMP_COMPRESSION] : 0;
+        ScanException.refuseIf(
+                compression == EMBEDDED_JPEG || compression == EMBEDDED_PNG,
+                "is a BMP around another image; save it as PNG or as uncompressed BMP");
         ImageReader reader = ImageIO.getImageReadersByFormatName(kind).next();
         try (FileImageInputStream in = new FileImageInputStream(file.path().toFile())) {
             reader.setInput(in, true, true);
@@ -94,14 +96,6 @@ final class PictureReader {
             return reader.read(0);
         } finally {
             reader.dispose();
-        }
-    }
-
-    private static void requirePlainBmp(ScanBytes file) throws IOException {
-        byte[] head = file.head(BMP_COMPRESSION + 1);
-        int compression = head.length > BMP_COMPRESSION ? head[BMP_COMPRESSION] : 0;
-        if (compression == EMBEDDED_JPEG || compression == EMBEDDED_PNG) {
-            throw new ScanException("is a BMP around another image; save it as PNG or as uncompressed BMP");
         }
     }
 

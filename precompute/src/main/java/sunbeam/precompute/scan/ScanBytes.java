@@ -11,6 +11,7 @@ import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.stream.Stream;
 
 /** Random access to the bytes of a file. Reads beyond its end are refused before memory is taken. */
 public record ScanBytes(Path path, FileChannel channel, long size) implements AutoCloseable {
@@ -18,6 +19,8 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
     public static final int LARGEST_HEADER = 1 << 24;
 
     private static final int STREAM_BUFFER = 1 << 18;
+    // Bytes by which a format is known.
+    private static final int LONGEST_MARK = 64;
 
     public static ScanBytes open(Path path) throws IOException {
         FileChannel channel = FileChannel.open(path, StandardOpenOption.READ);
@@ -34,12 +37,8 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
     }
 
     public boolean startsWith(String... texts) throws IOException {
-        for (String text : texts) {
-            if (headText(text.length()).equals(text)) {
-                return true;
-            }
-        }
-        return false;
+        String head = headText(LONGEST_MARK);
+        return Stream.of(texts).anyMatch(head::startsWith);
     }
 
     /** Returns the Latin-1 text before a mark in the first {@link Header#LARGEST} bytes. */
