@@ -123,11 +123,9 @@ public final class Plausibility {
 
     /** Returns the smallest step between some heights in meters; 0 unless they seem to be integers. */
     private static double smallestStep(HeightMap map) {
-        long samples = (long) map.columns() * map.rows();
-        long stride = Math.max(1, samples / MOST_EXAMINED);
-        double[] sorted = IntStream.range(0, (int) (samples / stride))
-                .mapToLong(i -> i * stride)
-                .mapToDouble(i -> map.at((int) (i % map.columns()), (int) (i / map.columns())))
+        int stride = Math.max(1, map.heights().length / MOST_EXAMINED);
+        double[] sorted = IntStream.range(0, map.heights().length / stride)
+                .mapToDouble(i -> map.heights()[i * stride])
                 .filter(Double::isFinite)
                 .sorted()
                 .toArray();

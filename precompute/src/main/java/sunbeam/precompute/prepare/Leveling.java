@@ -22,6 +22,10 @@ public enum Leveling {
 
     // Relative to the relief; a sum over millions of samples rounds less.
     private static final double ROUNDING = 1e-14;
+    // Of the terms of a polynomial.
+    private static final int[] POWERS_OF_X = {0, 1, 0, 2, 1, 0};
+    private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
+    private static final int HIGHEST = 2;
 
     public boolean takesTilt() {
         return this != NONE && this != MEAN;
@@ -34,9 +38,9 @@ public enum Leveling {
             case MEAN ->
                 Math.abs(mean(field.heights(), 0, field.heights().length)) <= ROUNDING * field.relief()
                         ? field
-                        : centered(Polynomial.fit(field, 1).subtracted());
-            case PLANE -> centered(Polynomial.fit(field, 3).subtracted());
-            case QUADRATIC -> centered(Polynomial.fit(field, 6).subtracted());
+                        : centered(withoutPolynomial(field, 1));
+            case PLANE -> centered(withoutPolynomial(field, 3));
+            case QUADRATIC -> centered(withoutPolynomial(field, 6));
             case ROWS, MEDIAN_ROWS -> centered(withoutRows(PLANE.apply(field)));
         };
     }
@@ -78,81 +82,69 @@ public enum Leveling {
     }
 
     /**
-     * Least-squares polynomial of heights with 1, 3 or 6 of the terms 1, x, y, x^2, x y, y^2; x and y run from -1 to 1 over the map. An offset is
-     * subtracted before the fit, so that it costs no digits. If all samples lie on one line, the pseudo-inverse yields the slope along it.
+     * Subtracts the least-squares polynomial with the first 1, 3 or 6 of the terms 1, x, y, x^2, x y, y^2; x and y run from -1 to 1 over the map.
+     * An offset is subtracted before the fit, so that it costs no digits. If all samples lie on one line, the pseudo-inverse yields the slope along
+     * it.
      */
-    private record Polynomial(HeightMap map, double offset, RealVector coefficients) {
-        private static final int[] POWERS_OF_X = {0, 1, 0, 2, 1, 0};
-        private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
-        private static final int HIGHEST = 2;
-
-        static Polynomial fit(HeightMap map, int terms) {
-            double offset = Arrays.stream(map.heights())
-                    .filter(Double::isFinite)
-                    .findFirst()
-                    .orElse(0);
-            double[][] normal = new double[terms][terms];
-            double[] right = new double[terms];
-            double[][] moments = IntStream.range(0, map.rows())
-                    .parallel()
-                    .mapToObj(row -> moments(map, row, offset))
-                    .toArray(double[][]::new);
-            for (int row = 0; row < moments.length; row++) {
-                double y = relative(row, map.rows());
-                for (int j = 0; j < terms; j++) {
-                    right[j] += moments[row][2 * HIGHEST + 1 + POWERS_OF_X[j]] * Math.pow(y, POWERS_OF_Y[j]);
-                    for (int k = 0; k < terms; k++) {
-                        normal[j][k] += moments[row][POWERS_OF_X[j] + POWERS_OF_X[k]]
-                                * Math.pow(y, (double) POWERS_OF_Y[j] + POWERS_OF_Y[k]);
-                    }
+    private static HeightMap withoutPolynomial(HeightMap map, int terms) {
+        double offset = Arrays.stream(map.heights())
+                .filter(Double::isFinite)
+                .findFirst()
+                .orElse(0);
+        double[][] normal = new double[terms][terms];
+        double[] right = new double[terms];
+        double[][] moments = IntStream.range(0, map.rows())
+                .parallel()
+                .mapToObj(row -> moments(map, row, offset))
+                .toArray(double[][]::new);
+        for (int row = 0; row < moments.length; row++) {
+            double y = relative(row, map.rows());
+            for (int j = 0; j < terms; j++) {
+                right[j] += moments[row][2 * HIGHEST + 1 + POWERS_OF_X[j]] * Math.pow(y, POWERS_OF_Y[j]);
+                for (int k = 0; k < terms; k++) {
+                    normal[j][k] += moments[row][POWERS_OF_X[j] + POWERS_OF_X[k]]
+                            * Math.pow(y, (double) POWERS_OF_Y[j] + POWERS_OF_Y[k]);
                 }
             }
-            RealVector fitted = new SingularValueDecomposition(new Array2DRowRealMatrix(normal))
-                    .getSolver()
-                    .solve(new ArrayRealVector(right));
-            return new Polynomial(map, offset, fitted);
         }
+        RealVector fitted = new SingularValueDecomposition(new Array2DRowRealMatrix(normal))
+                .getSolver()
+                .solve(new ArrayRealVector(right));
+        double[] heights = map.heights().clone();
+        IntStream.range(0, map.rows()).parallel().forEach(row -> {
+            double[] ofRow = new double[HIGHEST + 1];
+            for (int j = 0; j < terms; j++) {
+                ofRow[POWERS_OF_X[j]] += fitted.getEntry(j) * Math.pow(relative(row, map.rows()), POWERS_OF_Y[j]);
+            }
+            for (int column = 0, i = row * map.columns(); column < map.columns(); column++, i++) {
+                double x = relative(column, map.columns());
+                heights[i] = heights[i] - offset - (ofRow[0] + x * (ofRow[1] + x * ofRow[2]));
+            }
+        });
+        return map.with(heights);
+    }
 
-        /** Sums over a row of x^0 to x^4, then of the heights times x^0 to x^2. */
-        private static double[] moments(HeightMap map, int row, double offset) {
-            double[] sums = new double[3 * HIGHEST + 2];
-            for (int column = 0; column < map.columns(); column++) {
-                double height = map.at(column, row);
-                if (Double.isFinite(height)) {
-                    double x = relative(column, map.columns());
-                    double power = 1;
-                    for (int k = 0; k <= 2 * HIGHEST; k++) {
-                        sums[k] += power;
-                        if (k <= HIGHEST) {
-                            sums[2 * HIGHEST + 1 + k] += (height - offset) * power;
-                        }
-                        power *= x;
+    /** Sums over a row of x^0 to x^4, then of the heights times x^0 to x^2. */
+    private static double[] moments(HeightMap map, int row, double offset) {
+        double[] sums = new double[3 * HIGHEST + 2];
+        for (int column = 0; column < map.columns(); column++) {
+            double height = map.at(column, row);
+            if (Double.isFinite(height)) {
+                double x = relative(column, map.columns());
+                double power = 1;
+                for (int k = 0; k <= 2 * HIGHEST; k++) {
+                    sums[k] += power;
+                    if (k <= HIGHEST) {
+                        sums[2 * HIGHEST + 1 + k] += (height - offset) * power;
                     }
+                    power *= x;
                 }
             }
-            return sums;
         }
+        return sums;
+    }
 
-        private static double relative(int index, int count) {
-            return count == 1 ? 0 : 2.0 * index / (count - 1) - 1;
-        }
-
-        HeightMap subtracted() {
-            double[] heights = map.heights().clone();
-            IntStream.range(0, map.rows()).parallel().forEach(row -> {
-                double[] rowCoefficients = new double[HIGHEST + 1];
-                for (int j = 0; j < coefficients.getDimension(); j++) {
-                    rowCoefficients[POWERS_OF_X[j]] +=
-                            coefficients.getEntry(j) * Math.pow(relative(row, map.rows()), POWERS_OF_Y[j]);
-                }
-                for (int column = 0, i = row * map.columns(); column < map.columns(); column++, i++) {
-                    double x = relative(column, map.columns());
-                    heights[i] = heights[i]
-                            - offset
-                            - (rowCoefficients[0] + x * (rowCoefficients[1] + x * rowCoefficients[2]));
-                }
-            });
-            return map.with(heights);
-        }
+    private static double relative(int index, int count) {
+        return count == 1 ? 0 : 2.0 * index / (count - 1) - 1;
     }
 }

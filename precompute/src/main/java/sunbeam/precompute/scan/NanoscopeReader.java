@@ -48,11 +48,7 @@ final class NanoscopeReader {
                 list.put(matcher.group(1).strip().toLowerCase(Locale.ROOT), matcher.group(2));
             }
         }
-        List<ScanChannel> channels = new ArrayList<>();
-        for (Header image : images) {
-            channels.add(channel(file, common, image));
-        }
-        return channels;
+        return images.stream().map(image -> channel(file, common, image)).toList();
     }
 
     private static ScanChannel channel(ScanBytes file, Header common, Header image) {

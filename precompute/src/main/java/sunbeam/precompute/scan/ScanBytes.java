@@ -156,8 +156,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         public String text(int count) throws IOException {
             String text = new String(ScanBytes.this.read(position, count).array(), StandardCharsets.ISO_8859_1);
             position += count;
-            int end = text.indexOf(0);
-            return (end < 0 ? text : text.substring(0, end)).strip();
+            return text.split("\0", 2)[0].strip();
         }
 
         /** Reads UTF-8 up to a NUL, at most {@code most} bytes. */

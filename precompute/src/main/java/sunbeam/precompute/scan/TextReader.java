@@ -71,21 +71,16 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
                 columns == 2 && rows > 2,
                 "has two columns, places and heights: a profile is no surface; export the whole image");
         // The corner, where the first column and row meet, is left out.
-        if (columns > 1
+        boolean column = columns > 1
                 && isEvenlySpaced(heights, columns, columns, rows - 1)
-                && !isEvenlySpaced(heights, columns + 1, columns, rows - 1)) {
-            throw coordinates("column");
-        }
-        if (rows > 1
+                && !isEvenlySpaced(heights, columns + 1, columns, rows - 1);
+        boolean row = rows > 1
                 && isEvenlySpaced(heights, 1, 1, columns - 1)
-                && !isEvenlySpaced(heights, columns + 1, 1, columns - 1)) {
-            throw coordinates("row");
-        }
-    }
-
-    private static ScanException coordinates(String line) {
-        return new ScanException("has a first " + line + " that counts evenly, as places or numbers of rows do, beside"
-                + " others that do not; remove it, so that only heights are left");
+                && !isEvenlySpaced(heights, columns + 1, 1, columns - 1);
+        ScanException.refuseIf(
+                column || row,
+                "has a first " + (column ? "column" : "row") + " that counts evenly, as places or numbers of rows do,"
+                        + " beside others that do not; remove it, so that only heights are left");
     }
 
     private static boolean isEvenlySpaced(double[] numbers, int first, int stride, int count) {
@@ -104,14 +99,14 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
 
     private static Optional<ScanChannel> points(TextFile text, TextNumbers numbers) {
         Optional<PointGrid> found = PointGrid.of(numbers.column(0), numbers.column(1), numbers.column(2));
-        if (found.isEmpty()) {
-            if (numbers.rows() >= SURELY_POINTS) {
-                throw new ScanException("has three numbers a line whose first two are no points of a grid; interpolate"
-                        + " the points in Gwyddion and export a matrix or .gwy");
-            }
-            return Optional.empty();
-        }
-        PointGrid grid = found.get();
+        ScanException.refuseIf(
+                found.isEmpty() && numbers.rows() >= SURELY_POINTS,
+                "has three numbers a line whose first two are no points of a grid; interpolate the points in Gwyddion and"
+                        + " export a matrix or .gwy");
+        return found.map(grid -> points(text, grid));
+    }
+
+    private static ScanChannel points(TextFile text, PointGrid grid) {
         Optional<Matcher> axes = text.header().stream()
                 .map(AXES::matcher)
                 .filter(Matcher::matches)
@@ -124,8 +119,8 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
                 grid.axisX().count(), grid.axisY().count(), () -> grid.heights().clone());
         Extent extent =
                 Extent.ofPitches(grid.axisX().pitch(), grid.axisY().pitch() * metersY / metersX, unitX, samples);
-        return Optional.of(new ScanChannel(
-                "z", samples, extent, axes.map(matcher -> matcher.group(3)).orElse("")));
+        return new ScanChannel(
+                "z", samples, extent, axes.map(matcher -> matcher.group(3)).orElse(""));
     }
 
     /** Grid of points x y z, listed in any order: heights row by row from the largest y, NaN without a point. */

@@ -5,9 +5,9 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 
 /** Readers of TIFF files whose private tags describe the scan. */
 final class TiffTagReaders {
@@ -52,14 +52,10 @@ final class TiffTagReaders {
         List<TiffPage> pages = TiffPage.read(file);
         TiffPage grid = pages.get(0);
         Extent extent = Extent.of(grid.number(GRID_WIDTH, 0), grid.number(GRID_HEIGHT, 0));
-        List<ScanChannel> channels = new ArrayList<>();
-        for (TiffPage page : pages.subList(1, pages.size())) {
-            channels.add(channel(page, extent));
-        }
-        return channels;
+        return pages.stream().skip(1).map(page -> channel(page, extent)).toList();
     }
 
-    private static ScanChannel channel(TiffPage page, Extent extent) throws IOException {
+    private static ScanChannel channel(TiffPage page, Extent extent) {
         String title = page.text(CHANNEL_TITLE);
         int slot = slot(page);
         boolean linear = page.text(slot + SCALING).equals("LinearScaling");
@@ -72,16 +68,14 @@ final class TiffTagReaders {
         return new ScanChannel(name, retrace, page.samples(0).flipRows().scale(factor, offset), extent, unit);
     }
 
-    private static int slot(TiffPage page) throws IOException {
+    private static int slot(TiffPage page) {
         String wanted = page.text(DEFAULT_SLOT);
-        int count = (int) Math.min(MOST_SLOTS, page.number(SLOTS, 0));
-        for (int i = 0; i < count; i++) {
-            int first = FIRST_SLOT + SLOT_STEP * i;
-            if (page.text(first).equals(wanted)) {
-                return first;
-            }
-        }
-        throw new ScanException("has a channel without its scaling \"" + wanted + "\"; export it again");
+        return IntStream.range(0, (int) Math.min(MOST_SLOTS, page.number(SLOTS, 0)))
+                .map(i -> FIRST_SLOT + SLOT_STEP * i)
+                .filter(first -> page.text(first).equals(wanted))
+                .findFirst()
+                .orElseThrow(() ->
+                        new ScanException("has a channel without its scaling \"" + wanted + "\"; export it again"));
     }
 
     static boolean isPark(ScanBytes file) throws IOException {
@@ -124,8 +118,6 @@ final class TiffTagReaders {
     }
 
     private static String utf16(byte[] header, int position, int characters) {
-        String text = new String(header, position, 2 * characters, StandardCharsets.UTF_16LE);
-        int end = text.indexOf(0);
-        return end < 0 ? text : text.substring(0, end);
+        return new String(header, position, 2 * characters, StandardCharsets.UTF_16LE).split("\0", 2)[0];
     }
 }
