@@ -3,7 +3,6 @@ package jrtr.glsl;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -35,14 +34,6 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
             char last = type.charAt(type.length() - 1);
             int size = Character.isDigit(last) ? last - '0' : 1;
             return type.startsWith("mat") ? size * size : size;
-        }
-
-        String output() {
-            return declaration + " flat out " + type + " " + name + SUFFIX + "; ";
-        }
-
-        String assignment() {
-            return name + SUFFIX + " = " + name + "; ";
         }
     }
 
@@ -93,16 +84,19 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
             throw new IllegalArgumentException("shader " + vertex.name() + " has no line that begins with " + MAIN);
         }
         int body = vertex.text().indexOf('\n', main);
+        StringBuilder outputs = new StringBuilder();
+        StringBuilder assignments = new StringBuilder();
+        for (Uniform uniform : moved.values()) {
+            String output = uniform.name + SUFFIX;
+            outputs.append(uniform.declaration + " flat out " + uniform.type + " " + output + "; ");
+            assignments.append(output + " = " + uniform.name + "; ");
+        }
         // No line is added, so that line numbers in messages stay right.
         String text = vertex.text().substring(0, main)
-                + all(moved, Uniform::output)
+                + outputs
                 + vertex.text().substring(main, body)
-                + all(moved, Uniform::assignment)
+                + assignments
                 + vertex.text().substring(body);
         return new ShaderSource(vertex.name(), text, vertex.origins());
-    }
-
-    private static String all(Map<String, Uniform> moved, Function<Uniform, String> part) {
-        return moved.values().stream().map(part).collect(Collectors.joining());
     }
 }

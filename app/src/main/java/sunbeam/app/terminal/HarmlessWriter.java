@@ -9,51 +9,48 @@ import java.util.regex.Pattern;
  * Writer to a terminal that replaces characters which control it, since names of files and fields of tables may hold any. Control
  * characters other than line breaks and tabs, and those that change the direction of text, become {@code ?}.
  */
-public class HarmlessWriter extends Writer {
+public final class HarmlessWriter extends Writer {
     // C0 but for breaks and tabs, DEL, C1; then marks of direction, line and paragraph separators.
     private static final Pattern CONTROLLING = Pattern.compile(
             "[\\x00-\\x1f\\x7f-\\x9f&&[^\n\r\t]]|[\\u061c\\u200e\\u200f\\u2028-\\u202e\\u2066-\\u2069]");
 
     private final Writer out;
+    private final boolean onlyErrors;
+    private final StringBuilder line = new StringBuilder();
 
-    private HarmlessWriter(Writer out) {
+    private HarmlessWriter(Writer out, boolean onlyErrors) {
         this.out = out;
+        this.onlyErrors = onlyErrors;
     }
 
     public static PrintWriter around(Writer out) {
-        return new PrintWriter(new HarmlessWriter(out), true);
+        return new PrintWriter(new HarmlessWriter(out, false), true);
     }
 
     /** Wraps a writer that passes on only error messages, and drops plans, warnings, notes and reports. */
     public static PrintWriter ofErrors(Writer out) {
-        return new PrintWriter(new OfErrors(out), true);
-    }
-
-    private static final class OfErrors extends HarmlessWriter {
-        private final StringBuilder line = new StringBuilder();
-
-        OfErrors(Writer out) {
-            super(out);
-        }
-
-        @Override
-        public void write(char[] text, int offset, int length) throws IOException {
-            for (int i = offset; i < offset + length; i++) {
-                line.append(text[i]);
-                if (text[i] == '\n') {
-                    char[] whole = line.toString().toCharArray();
-                    line.setLength(0);
-                    if (Messages.isError(String.valueOf(whole))) {
-                        super.write(whole, 0, whole.length);
-                    }
-                }
-            }
-        }
+        return new PrintWriter(new HarmlessWriter(out, true), true);
     }
 
     @Override
     public void write(char[] text, int offset, int length) throws IOException {
-        out.write(CONTROLLING.matcher(new String(text, offset, length)).replaceAll("?"));
+        if (!onlyErrors) {
+            pass(new String(text, offset, length));
+            return;
+        }
+        for (int i = offset; i < offset + length; i++) {
+            line.append(text[i]);
+            if (text[i] == '\n') {
+                if (Messages.isError(line.toString())) {
+                    pass(line.toString());
+                }
+                line.setLength(0);
+            }
+        }
+    }
+
+    private void pass(String text) throws IOException {
+        out.write(CONTROLLING.matcher(text).replaceAll("?"));
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import sunbeam.app.gpu.colors.VirtualTexture.CancellationToken;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.LevelBaking;

@@ -3,6 +3,7 @@ package sunbeam.app.gpu.colors;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.stream.Stream;
@@ -258,5 +259,25 @@ public final class VirtualTexture implements AutoCloseable {
     public void close() {
         scheduler.ifPresentOrElse(Scheduler::close, baker::close);
         residency.close();
+    }
+
+    /** Cancels a job cooperatively. Thread-safe. */
+    public static final class CancellationToken implements ColorBaker.Token {
+        private volatile boolean isCancelled;
+
+        public void cancel() {
+            isCancelled = true;
+        }
+
+        public boolean isCancelled() {
+            return isCancelled;
+        }
+
+        @Override
+        public void step(long samples) {
+            if (isCancelled) {
+                throw new CancellationException("these tiles are not wanted now");
+            }
+        }
     }
 }

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.gpu.colors.VirtualTexture.CancellationToken;
 
 /** The scheduler on an executor that the test controls; events may occur during its work. */
 final class SchedulerTest {

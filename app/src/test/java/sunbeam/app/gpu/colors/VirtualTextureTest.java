@@ -20,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.gpu.colors.VirtualTexture.CancellationToken;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
