@@ -16,7 +16,7 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.BandTransform2d;
-import sunbeam.precompute.spectrum.ComplexVector;
+import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
 
 /**
  * Efficiencies, shares of the incident light, of a surface's orders under one light: of a piece of a surface, the integral around each order,

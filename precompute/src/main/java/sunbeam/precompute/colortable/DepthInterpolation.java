@@ -63,12 +63,8 @@ record DepthInterpolation(double[] depths, int taps, double[] denominators) {
         return nodes;
     }
 
-    /** Returns slices with which a sample's color does not depend on its batch. */
-    static DepthInterpolation fixed(double widestStep) {
-        return equallySpaced(0, ColorTable.DEEPEST, widestStep);
-    }
-
-    private static DepthInterpolation equallySpaced(double lowest, double range, double widestStep) {
+    /** Returns slices with which a sample's color does not depend on its batch, if they do not. */
+    static DepthInterpolation equallySpaced(double lowest, double range, double widestStep) {
         int slices = spaced(range, widestStep);
         double step = range / (slices - 1);
         return new DepthInterpolation(

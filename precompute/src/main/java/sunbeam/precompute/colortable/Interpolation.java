@@ -6,25 +6,23 @@ import sunbeam.precompute.numerics.SplineFilter;
 /** Filter between texels, of square roots of X, Y and Z: ringing beside a peak would hide powers of 1e-6, but not roots of 1e-3. */
 public enum Interpolation {
     /** Cubic B-splines (Unser, see {@link SplineFilter}): 16 coefficients per look-up. */
-    CUBIC("cubicXyz", 0, LevelBaking.MARGIN),
+    CUBIC("cubicXyz", 0),
     /**
      * Linear interpolation with knots shifted by a fifth of a texel (T. Blu, P. Thevenaz and M. Unser, "Linear interpolation revitalized",
      * IEEE Transactions on Image Processing 13 (2004)): the closest piecewise linear fit, where lines between samples would err 2.4 times
      * as much. 4 coefficients per look-up.
      */
-    SHIFTED_LINES("linearXyz", 0.5 * (1 - 1 / Math.sqrt(3)), 0);
+    SHIFTED_LINES("linearXyz", 0.5 * (1 - 1 / Math.sqrt(3)));
 
     // A spline's prefilter needs at least 11 samples.
     private static final int KEY_SAMPLES = 16;
 
     private final String shaderFunction;
     private final double shift;
-    private final int marginBehind;
 
-    Interpolation(String shaderFunction, double shift, int marginBehind) {
+    Interpolation(String shaderFunction, double shift) {
         this.shaderFunction = shaderFunction;
         this.shift = shift;
-        this.marginBehind = marginBehind;
     }
 
     public String shaderFunction() {
@@ -41,10 +39,6 @@ public enum Interpolation {
 
     public double shift() {
         return shift;
-    }
-
-    int marginBehind() {
-        return marginBehind;
     }
 
     /** Prefilters {@code rows * columns} samples along columns, in place; splines need at least 11 rows. */

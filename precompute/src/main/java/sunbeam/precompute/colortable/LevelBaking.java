@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
  * samples of neighboring tiles. Not thread-safe.
  */
 public final class LevelBaking {
-    /** Texels before a stored tile that its prefilter reads; a spline's pole is -0.268, and 0.268^8 = 3e-5. */
+    /** Texels before a stored tile, and behind it if splines filter, that its prefilter reads; a spline's pole is -0.268, and 0.268^8 = 3e-5. */
     static final int MARGIN = 8;
 
     private static final int STORED_SIDE = TileGrid.STORED_SIDE;
@@ -42,7 +42,7 @@ public final class LevelBaking {
         this.largestBatch = largestBatch;
         this.numbers = numbers;
         this.interpolation = grid.interpolation();
-        this.inputSide = STORED_SIDE + MARGIN + interpolation.marginBehind();
+        this.inputSide = STORED_SIDE + MARGIN + (interpolation == Interpolation.CUBIC ? MARGIN : 0);
     }
 
     public static long sampleBytes(long tiles) {

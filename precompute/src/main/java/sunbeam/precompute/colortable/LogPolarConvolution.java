@@ -208,13 +208,9 @@ final class LogPolarConvolution {
         private static PolynomialFunction withAverage(PolynomialFunction averages) {
             PolynomialFunction polynomial = averages;
             for (int right = 2; right < POINTS; right += 2) {
-                polynomial = polynomial.add(averages.subtract(average(polynomial)));
+                polynomial = polynomial.add(averages.subtract(overBox(overBox(overBox(overBox(polynomial))))));
             }
             return polynomial;
-        }
-
-        private static PolynomialFunction average(PolynomialFunction polynomial) {
-            return overBox(overBox(overBox(overBox(polynomial))));
         }
 
         /** Averages over [x - 1/2, x + 1/2]: the sum over n of p^(2n)(x) (1/2)^(2n) / (2n + 1)!. */

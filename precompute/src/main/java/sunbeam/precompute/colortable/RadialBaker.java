@@ -13,6 +13,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.spectrum.PowerSpectrum;
+import sunbeam.precompute.colortable.TileGrid.TableSpace;
 
 /**
  * Evaluates colors of the ensemble average along rays of (u, v) through the origin, for all wavelengths and positions of a ray at once
@@ -95,7 +96,7 @@ public final class RadialBaker implements ColorBaker {
 
     /** Bakes with fixed slices of w: a sample's color does not depend on the other samples. */
     public float[] bakeRepeatably(float[] uvw, ColorBaker.Token token) {
-        DepthInterpolation slices = DepthInterpolation.fixed(sliceStep);
+        DepthInterpolation slices = DepthInterpolation.equallySpaced(0, ColorTable.DEEPEST, sliceStep);
         return bake(uvw, samples -> slices, token);
     }
 

@@ -12,7 +12,7 @@ import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.numerics.SplineFilter;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.spectrum.PowerSpectrum.Axis;
-import sunbeam.precompute.spectrum.PowerSpectrum.GaussianWeights;
+import sunbeam.precompute.colortable.WindowedSpectrum.GaussianWeights;
 
 /**
  * Bakes colors of a surface with relief finer than a pixel: means of the ensemble average over normally distributed slopes, each of which
@@ -89,7 +89,7 @@ public record SlopeBaker(
 
     private Slice slice(WavelengthNodes nodes, double depth) {
         int[] planes = new int[nodes.count()];
-        float[][] factors = new float[nodes.count()][GaussianPyramid.TAPS * pyramid.stride()];
+        float[][] factors = new float[nodes.count()][GaussianPyramid.TAPS * pyramid.stride];
         float[] weights = new float[GaussianPyramid.TAPS];
         for (int i = 0; i < nodes.count(); i++) {
             double wavelength = nodes.wavelengths()[i];
@@ -97,7 +97,7 @@ public record SlopeBaker(
             planes[i] = pyramid.taps(sigmaFrequency(table, level, depth, wavelength), weights);
             for (int tap = 0; tap < GaussianPyramid.TAPS; tap++) {
                 for (int m = 0; m < coefficients.length; m++) {
-                    factors[i][tap * pyramid.stride() + m] = (float) (weights[tap] * coefficients[m]);
+                    factors[i][tap * pyramid.stride + m] = (float) (weights[tap] * coefficients[m]);
                 }
             }
         }
@@ -111,7 +111,7 @@ public record SlopeBaker(
             slices[i] = RadialBaker.known(nodes.slices, depth, key -> slice(nodes.wavelengths, key));
         }
         double[] sums = new double[COLORS * slices.length];
-        float[] terms = new float[pyramid.count() * pyramid.stride()];
+        float[] terms = new float[pyramid.planes.size() * pyramid.stride];
         for (int i = 0; i < nodes.wavelengths.count(); i++) {
             double wavelength = nodes.wavelengths.wavelengths()[i];
             double[] weights = nodes.wavelengths.weights()[i];
@@ -124,7 +124,7 @@ public record SlopeBaker(
             pyramid.at(uvw[COLORS * from] / wavelength, uvw[COLORS * from + 1] / wavelength, first, end, terms);
             for (int j = 0; j < slices.length; j++) {
                 float[] factors = slices[j].factors[i];
-                int ofSlice = (slices[j].planes[i] - first) * pyramid.stride();
+                int ofSlice = (slices[j].planes[i] - first) * pyramid.stride;
                 double power = 0;
                 for (int m = 0; m < factors.length; m++) {
                     power += factors[m] * terms[ofSlice + m];
@@ -213,11 +213,11 @@ public record SlopeBaker(
                 GaussianWeights y = new GaussianWeights(alongY, sigmaFrequency, REACH);
                 y.moveTo(alongY.place((row - to.half) * to.spacing), 0, alongY.count() - 1);
                 float[] line = new float[alongX.count() * stride];
-                sum(from, y.first() * line.length, line.length, y, share, line, 0);
+                sum(from, y.first * line.length, line.length, y, share, line, 0);
                 GaussianWeights x = new GaussianWeights(alongX, sigmaFrequency, REACH);
                 for (int column = 0; column < side; column++) {
                     x.moveTo(alongX.place((column - to.half) * to.spacing), 0, alongX.count() - 1);
-                    sum(line, x.first() * stride, stride, x, 1, to.powers, (row * side + column) * stride);
+                    sum(line, x.first * stride, stride, x, 1, to.powers, (row * side + column) * stride);
                 }
             });
         }
@@ -225,10 +225,10 @@ public record SlopeBaker(
         /** Adds the weighted runs of {@code length} values, from {@code first} on, to those at {@code at}: four runs at a time. */
         private static void sum(
                 float[] from, int first, int length, GaussianWeights runs, double share, float[] to, int at) {
-            double[] weights = runs.weights();
+            double[] weights = runs.weights;
             int run = 0;
             int first0 = first;
-            for (; run + TAPS <= runs.count(); run += TAPS, first0 += TAPS * length) {
+            for (; run + TAPS <= runs.count; run += TAPS, first0 += TAPS * length) {
                 float w0 = (float) (share * weights[run]);
                 float w1 = (float) (share * weights[run + 1]);
                 float w2 = (float) (share * weights[run + 2]);
@@ -243,20 +243,12 @@ public record SlopeBaker(
                             + w3 * from[first3 + i];
                 }
             }
-            for (; run < runs.count(); run++, first0 += length) {
+            for (; run < runs.count; run++, first0 += length) {
                 float weight = (float) (share * weights[run]);
                 for (int i = 0; i < length; i++) {
                     to[at + i] += weight * from[first0 + i];
                 }
             }
-        }
-
-        int stride() {
-            return stride;
-        }
-
-        int count() {
-            return planes.size();
         }
 
         /** Returns the first of the {@link #TAPS} planes around a sigma_f, and computes their Lagrange weights. */
@@ -270,7 +262,7 @@ public record SlopeBaker(
             return first;
         }
 
-        /** Interpolates {@link #stride} terms per plane, in planes {@code first .. end - 1}, at a frequency in cycles per meter. */
+        /** Interpolates {@code stride} terms per plane, in planes {@code first .. end - 1}, at a frequency in cycles per meter. */
         void at(double frequencyX, double frequencyY, int first, int end, float[] terms) {
             for (int i = first; i < end; i++) {
                 Plane plane = planes.get(i);

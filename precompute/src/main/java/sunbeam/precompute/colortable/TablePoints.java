@@ -13,6 +13,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.colortable.TileGrid.TableSpace;
 
 /** Points (u, v, w) that a map or a list of directions looks up, and the tiles that hold them: one light with all views, or pairs. */
 public record TablePoints(VisibleRange visible) {

@@ -20,6 +20,7 @@ import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.colortable.TileGrid.TableSpace;
 
 /**
  * Table of one level for points, compared with its source at directions between its texels, and refined until it keeps its tolerance. The

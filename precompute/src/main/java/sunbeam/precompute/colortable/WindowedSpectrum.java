@@ -3,7 +3,6 @@ package sunbeam.precompute.colortable;
 import java.util.Arrays;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.spectrum.PowerSpectrum;
-import sunbeam.precompute.spectrum.PowerSpectrum.GaussianWeights;
 
 /**
  * {@link PowerSpectrum} under a window: at any frequency, the sum of the bins' terms times Gaussians of their distance. Bins beyond
@@ -27,6 +26,42 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
         return new GaussianWeights(axis, sigmaFrequency, reach);
     }
 
+    /** Gaussian weights exp(-(distance / sigma_f)^2) of the DFT bins within reach of a frequency, along one axis. Not thread-safe. */
+    static final class GaussianWeights {
+        private final double ratio;
+        private final double reach;
+        private final double factorStep;
+        /** Of these the first {@link #count} are valid, those of the bins from {@link #first} on. */
+        final double[] weights;
+
+        int first;
+        int count;
+
+        GaussianWeights(PowerSpectrum.Axis bins, double sigmaFrequency, double reach) {
+            // Distance between neighboring bins, divided by sigma_f.
+            this.ratio = 1 / (sigmaFrequency * bins.period());
+            this.reach = reach;
+            this.factorStep = Math.exp(-2 * ratio * ratio);
+            this.weights = new double[3 + (int) Math.ceil(2 * reach / ratio)];
+        }
+
+        /** Computes the weights around a position in bins, of which those from lowest to highest exist. */
+        void moveTo(double place, int lowest, int highest) {
+            first = (int) Math.max(lowest, Math.ceil(place - reach / ratio));
+            int last = (int) Math.min(highest, Math.floor(place + reach / ratio));
+            count = Math.max(0, last - first + 1);
+            // exp(-(x + i r)^2) = exp(-x^2) exp(-2 x r)^i exp(-r^2)^(i^2): two exponentials instead of one per bin.
+            double distance = (first - place) * ratio;
+            double weight = Math.exp(-distance * distance);
+            double factor = Math.exp(-(2 * distance + ratio) * ratio);
+            for (int i = 0; i < count; i++) {
+                weights[i] = weight;
+                weight *= factor;
+                factor *= factorStep;
+            }
+        }
+    }
+
     /** Not thread-safe. */
     final class Sums {
         private final GaussianWeights x = weights(bins.x());
@@ -37,35 +72,18 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
         double[] at(double fx, double fy) {
             x.moveTo(bins.x().place(fx), 0, bins.x().count() - 1);
             y.moveTo(bins.y().place(fy), 0, bins.y().count() - 1);
-            for (int m = 0; m < sums.length; m += PowerSpectrum.TOGETHER) {
-                sum(m);
-            }
-            return sums;
-        }
-
-        /** Sums four terms at a time, which stay in registers. */
-        private void sum(int m) {
+            Arrays.fill(sums, 0);
             double[] powers = bins.powers();
-            int stride = bins.stride();
-            double sum0 = 0;
-            double sum1 = 0;
-            double sum2 = 0;
-            double sum3 = 0;
-            for (int j = 0; j < y.count(); j++) {
-                int at = ((y.first() + j) * bins.x().count() + x.first()) * stride + m;
-                for (int i = 0; i < x.count(); i++) {
-                    double weight = y.weights()[j] * x.weights()[i];
-                    sum0 += weight * powers[at];
-                    sum1 += weight * powers[at + 1];
-                    sum2 += weight * powers[at + 2];
-                    sum3 += weight * powers[at + 3];
-                    at += stride;
+            for (int j = 0; j < y.count; j++) {
+                int at = ((y.first + j) * bins.x().count() + x.first) * sums.length;
+                for (int i = 0; i < x.count; i++, at += sums.length) {
+                    double weight = y.weights[j] * x.weights[i];
+                    for (int m = 0; m < sums.length; m++) {
+                        sums[m] += weight * powers[at + m];
+                    }
                 }
             }
-            sums[m] = sum0;
-            sums[m + 1] = sum1;
-            sums[m + 2] = sum2;
-            sums[m + 3] = sum3;
+            return sums;
         }
     }
 
@@ -184,13 +202,13 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
             int begin = line.offset;
             int length = line.count * crossed.stride();
             int perRow = crossed.x().count() * crossed.stride();
-            int from = rows.first() * perRow + line.firstBin * crossed.stride();
+            int from = rows.first * perRow + line.firstBin * crossed.stride();
             int row = 0;
-            for (; row + 3 < rows.count(); row += 4, from += 4 * perRow) {
-                double weight0 = rows.weights()[row];
-                double weight1 = rows.weights()[row + 1];
-                double weight2 = rows.weights()[row + 2];
-                double weight3 = rows.weights()[row + 3];
+            for (; row + 3 < rows.count; row += 4, from += 4 * perRow) {
+                double weight0 = rows.weights[row];
+                double weight1 = rows.weights[row + 1];
+                double weight2 = rows.weights[row + 2];
+                double weight3 = rows.weights[row + 3];
                 int at1 = from + perRow;
                 int at2 = at1 + perRow;
                 int at3 = at2 + perRow;
@@ -201,8 +219,8 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
                             + weight3 * powers[at3 + i];
                 }
             }
-            for (; row < rows.count(); row++, from += perRow) {
-                double weight = rows.weights()[row];
+            for (; row < rows.count; row++, from += perRow) {
+                double weight = rows.weights[row];
                 for (int i = 0; i < length; i++) {
                     to[begin + i] += weight * powers[from + i];
                 }
@@ -227,7 +245,7 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
                 shares(place - below, line.weight * toKnots, shares);
                 double bin = crossed.x().place(line.frequency * slope);
                 weights.moveTo(bin, line.firstBin, line.firstBin + line.count - 1);
-                if (weights.count() > 0) {
+                if (weights.count > 0) {
                     add(line, knot, shares, averages);
                 }
             }
@@ -246,9 +264,9 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
         private void add(Line line, int knot, double[] shares, double[] averages) {
             int stride = crossed.stride();
             double[] values = blurred;
-            double[] binWeights = weights.weights();
-            int count = weights.count();
-            int first = line.offset + (weights.first() - line.firstBin) * stride;
+            double[] binWeights = weights.weights;
+            int count = weights.count;
+            int first = line.offset + (weights.first - line.firstBin) * stride;
             int end = Math.min(SHARES, knots.count - knot);
             for (int m = 0; m < stride; m += PowerSpectrum.TOGETHER) {
                 double sum0 = 0;

@@ -11,7 +11,7 @@ import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.RadialBaker;
 import sunbeam.precompute.colortable.SlopeBaker;
 import sunbeam.precompute.colortable.SlopeBaker.GaussianPyramid;
-import sunbeam.precompute.colortable.TableSpace;
+import sunbeam.precompute.colortable.TileGrid.TableSpace;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.spectrum.PowerSpectrum;

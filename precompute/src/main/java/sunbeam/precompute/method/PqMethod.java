@@ -35,7 +35,7 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.CoefficientTable;
-import sunbeam.precompute.spectrum.ComplexVector;
+import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
 import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 import sunbeam.precompute.spectrum.PeriodInterpolation.PeriodSpectrum;

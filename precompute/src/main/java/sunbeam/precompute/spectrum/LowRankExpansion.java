@@ -1,6 +1,7 @@
 package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
+import java.util.stream.DoubleStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.EigenDecomposition;
 import org.apache.commons.math3.linear.QRDecomposition;
@@ -194,27 +195,22 @@ public record LowRankExpansion(
         static HeightRule of(HeightLevels levels, HeightScale scale, double maximumPhase) {
             int count = Math.max(1, (int) Math.ceil(2 * maximumPhase / INTERVAL));
             Interval[] intervals = new Interval[count];
+            Arrays.setAll(intervals, i -> new Interval());
             boolean many = levels.areTooManyToTabulate();
             double[] all = many ? levels.map().heights() : levels.levels();
             int[] counts = many ? new int[0] : levels.histogram();
             for (int i = 0; i < all.length; i++) {
                 double height = scale.scaled(all[i]);
                 int at = Math.min(count - 1, Math.max(0, (int) ((height + 1) / 2 * count)));
-                if (intervals[at] == null) {
-                    intervals[at] = new Interval();
-                }
                 intervals[at].add(height, many ? 1 : counts[i]);
             }
-            double[] heights = new double[NODES * count];
-            double[] shares = new double[NODES * count];
-            int used = 0;
-            for (Interval interval : intervals) {
-                used = interval == null ? used : interval.addTo(heights, shares, used);
-            }
+            DoubleStream.Builder heights = DoubleStream.builder();
+            DoubleStream.Builder shares = DoubleStream.builder();
             double samples = levels.map().heights().length;
-            return new HeightRule(
-                    Arrays.copyOf(heights, used),
-                    Arrays.stream(shares, 0, used).map(share -> share / samples).toArray());
+            for (Interval interval : intervals) {
+                interval.addTo(heights, shares, samples);
+            }
+            return new HeightRule(heights.build().toArray(), shares.build().toArray());
         }
 
         /** Jacobi matrix of the heights in an interval, weighted by number; stable rotations add one (Gragg and Harrod 1984). */
@@ -246,21 +242,20 @@ public record LowRankExpansion(
                 }
             }
 
-            int addTo(double[] heights, double[] weights, int used) {
-                double[] beside = new double[size - 1];
-                for (int k = 1; k < size; k++) {
-                    beside[k - 1] = Math.sqrt(squares[k]);
+            void addTo(DoubleStream.Builder heights, DoubleStream.Builder shares, double samples) {
+                if (size == 0) {
+                    return;
                 }
+                double[] beside =
+                        Arrays.stream(squares, 1, size).map(Math::sqrt).toArray();
                 EigenDecomposition matrix = new EigenDecomposition(Arrays.copyOf(diagonal, size), beside);
-                int end = used;
                 for (int n = 0; n < size; n++) {
                     double first = matrix.getV().getEntry(0, n);
                     if (first != 0) {
-                        heights[end] = matrix.getRealEigenvalue(n);
-                        weights[end++] = squares[0] * first * first;
+                        heights.add(matrix.getRealEigenvalue(n));
+                        shares.add(squares[0] * first * first / samples);
                     }
                 }
-                return end;
             }
         }
     }

@@ -5,6 +5,7 @@ import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.numerics.KaiserBessel;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
 
 /**
  * Interpolation between the DFT bins of one period with sharp edges (thesis section 3.5), p_n being one of the N samples, at x_n:
@@ -56,9 +57,12 @@ public enum PeriodInterpolation {
         };
     }
 
-    /** Undoes the kernel's attenuation at a position, in -1/2..1/2 of the period. */
-    double correction(double place) {
-        return this == SINC ? 1 / kaiserBessel().transform(place / oversampling) : 1;
+    /** Returns the factors that undo the kernel's attenuation at each of a period's samples. */
+    private double[] corrections(int count) {
+        return IntStream.range(0, count)
+                .mapToDouble(i -> (i - PeriodSpectrum.middle(count)) / count)
+                .map(place -> this == SINC ? 1 / kaiserBessel().transform(place / oversampling) : 1)
+                .toArray();
     }
 
     // The first zero of the transform lies at the nearest alias of the period's edge, 1 - 1 / (2 oversampling).
@@ -72,34 +76,30 @@ public enum PeriodInterpolation {
      * frequency j / (oversampling * width). Phases refer to the period's middle, so that neighboring samples differ as little as possible; for
      * {@link PeriodInterpolation#RING} to the corner, as in the thesis.
      */
-    public static final class PeriodSpectrum {
-        private final HeightLevels heights;
-        private final Expansion expansion;
-        private final PeriodInterpolation interpolation;
-        private final Band bandX;
-        private final Band bandY;
-        private final BandTransform2d transform;
-        private final double[] correctionX;
-        private final double[] correctionY;
-
+    public record PeriodSpectrum(
+            HeightLevels heights,
+            Expansion expansion,
+            Band bandX,
+            Band bandY,
+            PeriodInterpolation interpolation,
+            BandTransform2d transform,
+            double[] correctionX,
+            double[] correctionY) {
         public PeriodSpectrum(
                 HeightLevels heights, Expansion expansion, Band bandX, Band bandY, PeriodInterpolation interpolation) {
-            this.heights = heights;
-            this.expansion = expansion;
-            this.interpolation = interpolation;
-            this.bandX = bandX;
-            this.bandY = bandY;
-            HeightMap map = heights.map();
-            int samples = interpolation.oversampling();
-            this.transform = new BandTransform2d(samples * map.columns(), samples * map.rows(), bandX, bandY);
-            this.correctionX = corrections(map.columns());
-            this.correctionY = corrections(map.rows());
-        }
-
-        private double[] corrections(int count) {
-            return IntStream.range(0, count)
-                    .mapToDouble(i -> interpolation.correction((i - middle(count)) / count))
-                    .toArray();
+            this(
+                    heights,
+                    expansion,
+                    bandX,
+                    bandY,
+                    interpolation,
+                    new BandTransform2d(
+                            interpolation.oversampling * heights.map().columns(),
+                            interpolation.oversampling * heights.map().rows(),
+                            bandX,
+                            bandY),
+                    interpolation.corrections(heights.map().columns()),
+                    interpolation.corrections(heights.map().rows()));
         }
 
         private static double middle(int count) {

@@ -21,6 +21,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.colortable.TileGrid.TableSpace;
 
 class ColorTableTest {
     private static final GaussianArea ENSEMBLE = RadialBakerTest.ensemble(12e-6);
