@@ -134,8 +134,6 @@ public final class AtlasPages {
     /** Look-up of colors in tiles, as in shaders/include/color_table.glsl, in double precision. */
     public record TableLookUp(List<TileGrid> grids, NumberFormat numbers, Tiles tiles) {
         private static final int SIDE = TileGrid.SIDE;
-        private static final int STORED_SIDE = TileGrid.STORED_SIDE;
-        private static final int CHANNELS = 4;
         private static final int COLORS = 3;
         // From the last tile's edge, in texels, as in the shader.
         private static final double EDGE_MARGIN = 0.01;
@@ -159,7 +157,7 @@ public final class AtlasPages {
             double[] xyz = new double[COLORS];
             for (int tap = 0; tap < grid.taps(); tap++) {
                 int tile = (first + tap) * grid.perSlice() + row * grid.columns() + column;
-                double weight = grid.taps() == 1 ? 1 : Lagrange.weight(at - first, tap, TableDesign.TAPS);
+                double weight = Lagrange.weight(at - first, tap, grid.taps());
                 double[] roots = roots(level, tile, x - column * SIDE, y - row * SIDE);
                 for (int c = 0; c < COLORS; c++) {
                     xyz[c] += weight * roots[c] * roots[c];
@@ -184,7 +182,7 @@ public final class AtlasPages {
             for (int i = 0; i < 16; i++) {
                 double weight = down[i >> 2] * across[i & 3];
                 // The stored tile begins one texel before the first one that the tile owns.
-                int texel = ((int) y + (i >> 2)) * STORED_SIDE + (int) x + (i & 3);
+                int texel = ((int) y + (i >> 2)) * PAGE_SIDE + (int) x + (i & 3);
                 for (int c = 0; weight != 0 && c < COLORS; c++) {
                     roots[c] += weight * tiles.coefficient(level, tile, CHANNELS * texel + c);
                 }

@@ -2,6 +2,8 @@ package sunbeam.precompute.colortable;
 
 /** Evaluates colors of diffracted power, a batch of samples at a time. */
 public interface ColorBaker extends AutoCloseable {
+    int COLORS = 3;
+
     /** Most samples per batch: 50 MB of input, and as much output. */
     int LARGEST_BATCH = 1 << 22;
 

@@ -11,9 +11,9 @@ import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.colortable.TileGrid.TableSpace;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.spectrum.PowerSpectrum;
-import sunbeam.precompute.colortable.TileGrid.TableSpace;
 
 /**
  * Evaluates colors of the ensemble average along rays of (u, v) through the origin, for all wavelengths and positions of a ray at once
@@ -33,14 +33,12 @@ public final class RadialBaker implements ColorBaker {
     /** The same for averages over a pixel: exp(-reach^2) = 2e-5. */
     private static final double COARSE_REACH = 3.3;
 
-    private static final int COLORS = 3;
+    private static final int SECTOR_BITS = 20;
 
     private final WindowedSpectrum powers;
     private final double sliceStep;
     private final DirectBaker direct;
     private final List<LogRadialBand> bands;
-    // First tile of each band; the last entry is the inner disc.
-    private final int[] firstTiles;
 
     public RadialBaker(PowerSpectrum spectrum, CieTable cie, ColorTable.Level level) {
         this(spectrum, cie, level.area(), level.design(), TableSpace.AllLights.REACH, level.includeFaintTails());
@@ -71,10 +69,6 @@ public final class RadialBaker implements ColorBaker {
                 .mapToObj(
                         number -> LogRadialBand.of(cie, spectrum.tolerance(), sigma, farthest / (1 << number), rayStep))
                 .toList();
-        this.firstTiles = new int[bands.size() + 1];
-        for (int band = 0; band < bands.size(); band++) {
-            firstTiles[band + 1] = firstTiles[band] + bands.get(band).sectors();
-        }
     }
 
     @Override
@@ -101,10 +95,10 @@ public final class RadialBaker implements ColorBaker {
     }
 
     private float[] bake(float[] uvw, Function<float[], DepthInterpolation> slices, ColorBaker.Token token) {
-        // Tile number and sample, sorted: a run of samples for each tile.
+        // Band, sector and sample, sorted: a run of samples for each tile. After the last band comes the inner disc.
         long[] byTile = IntStream.range(0, uvw.length / COLORS)
                 .parallel()
-                .mapToLong(i -> (long) tile(uvw[COLORS * i], uvw[COLORS * i + 1]) << Integer.SIZE | i)
+                .mapToLong(i -> tile(uvw[COLORS * i], uvw[COLORS * i + 1]) << Integer.SIZE | i)
                 .sorted()
                 .toArray();
         int[] begins = IntStream.rangeClosed(0, byTile.length)
@@ -120,24 +114,18 @@ public final class RadialBaker implements ColorBaker {
             for (int i = 0; i < samples.length; i++) {
                 System.arraycopy(uvw, COLORS * samples[i], tileUvw, COLORS * i, COLORS);
             }
-            int tile = (int) (byTile[begins[run]] >>> Integer.SIZE);
-            float[] colors = tile == firstTiles[bands.size()]
+            long tile = byTile[begins[run]] >>> Integer.SIZE;
+            int band = (int) (tile >>> SECTOR_BITS);
+            int sector = (int) (tile - ((long) band << SECTOR_BITS));
+            float[] colors = band == bands.size()
                     ? direct.bake(tileUvw, ColorBaker.Token.NONE)
-                    : tile(tile, slices.apply(tileUvw)).bake(tileUvw, token);
+                    : bands.get(band).new Tile(sector, powers, slices.apply(tileUvw)).bake(tileUvw, token);
             for (int i = 0; i < samples.length; i++) {
                 System.arraycopy(colors, COLORS * i, xyz, COLORS * samples[i], COLORS);
             }
             token.step(samples.length);
         });
         return xyz;
-    }
-
-    private LogRadialBand.Tile tile(int number, DepthInterpolation slices) {
-        int band = 0;
-        while (number >= firstTiles[band + 1]) {
-            band++;
-        }
-        return bands.get(band).new Tile(number - firstTiles[band], powers, slices);
     }
 
     /** If a task fails, waits for the running ones and throws the failure. */
@@ -170,13 +158,14 @@ public final class RadialBaker implements ColorBaker {
         return value;
     }
 
-    private int tile(double u, double v) {
+    private long tile(double u, double v) {
         double radius = Math.sqrt(u * u + v * v);
         int band = 0;
         while (band < bands.size() && radius < bands.get(band).low()) {
             band++;
         }
-        return firstTiles[band] + (band < bands.size() ? bands.get(band).sector(u, v) : 0);
+        return (long) band << SECTOR_BITS
+                | (band < bands.size() ? bands.get(band).sector(u, v) : 0);
     }
 
     /** Sums each sample over wavelengths by itself: near the origin of (u, v), where rays meet, and for validation. Thread-safe. */

@@ -8,11 +8,11 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.colortable.WindowedSpectrum.GaussianWeights;
 import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.numerics.SplineFilter;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.spectrum.PowerSpectrum.Axis;
-import sunbeam.precompute.colortable.WindowedSpectrum.GaussianWeights;
 
 /**
  * Bakes colors of a surface with relief finer than a pixel: means of the ensemble average over normally distributed slopes, each of which
@@ -22,7 +22,6 @@ import sunbeam.precompute.colortable.WindowedSpectrum.GaussianWeights;
 public record SlopeBaker(
         PowerSpectrum spectrum, CieTable cie, SlopeBaker.GaussianPyramid pyramid, ColorTable table, int level)
         implements ColorBaker {
-    private static final int COLORS = 3;
     /** Largest |(u, v)|, slightly beyond all directions. */
     private static final double FARTHEST = 2.2;
     /** Step of ln lambda where orders are wide. */

@@ -7,13 +7,13 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import sunbeam.precompute.colortable.TileGrid.TableSpace;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.colortable.TileGrid.TableSpace;
 
 /** Points (u, v, w) that a map or a list of directions looks up, and the tiles that hold them: one light with all views, or pairs. */
 public record TablePoints(VisibleRange visible) {
@@ -47,7 +47,7 @@ public record TablePoints(VisibleRange visible) {
         double tilesOfSlice = light().isPresent()
                 ? Math.PI / 4 * all
                 : Math.min(4.0 * visible.pairs().size(), all);
-        long tiles = (long) (tilesOfSlice * (grid.slices() == 1 ? 1 : Math.min(grid.slices(), TableDesign.TAPS + 1)));
+        long tiles = (long) (tilesOfSlice * Math.min(grid.slices(), TableDesign.TAPS + 1));
         List<ArrayLayout> arrays = List.of(AtlasPages.texels(tiles), grid.tileList(1));
         long textures = arrays.stream().mapToLong(ArrayLayout::bytes).sum();
         return new MemoryNeed(2 * textures + 2 * LevelBaking.sampleBytes(tiles), arrays);

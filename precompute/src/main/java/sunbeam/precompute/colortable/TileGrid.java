@@ -81,13 +81,10 @@ public record TileGrid(
 
     /** Returns the tiles that all pairs of directions read, or all views under the light of a table of one light. */
     public BitSet reachable() {
-        double rounding = 2 * ROUNDING * design.step();
-        if (space instanceof TableSpace.OneLight) {
-            return within(0, 0, TableSpace.OneLight.HORIZON + rounding, (nearest, farthest) -> new double[2]);
-        }
-        double reach = TableSpace.AllLights.REACH + rounding;
-        return within(0, 0, reach, (nearest, farthest) ->
-                new double[] {0, Math.sqrt(reach * reach - nearest * nearest)});
+        double farthest =
+                space instanceof TableSpace.OneLight ? TableSpace.OneLight.HORIZON : TableSpace.AllLights.REACH;
+        double reach = farthest + 2 * ROUNDING * design.step();
+        return within(0, 0, reach, (nearest, unused) -> new double[] {0, Math.sqrt(reach * reach - nearest * nearest)});
     }
 
     /** Returns the tiles of a table of all lights that views under one light read. */
@@ -268,10 +265,12 @@ public record TileGrid(
             public double[] uvw(double x, double y, double depth) {
                 double radius = Math.hypot(x, y);
                 double distance = Math.min(radius, LARGEST);
-                // With t = 1 - cos(theta / 2) the squared radius is t (2 - t)^3, and sin theta 2 (1 - t) / (2 - t) radii.
+                // With t = 1 - cos(theta / 2) the squared radius is t (2 - t)^3, and sin theta 2 (1 - t) / (2 - t)
+                // radii.
                 double t = versedSine(distance * distance);
                 double across = 2 * (1 - t) / (2 - t) * (radius > distance ? distance / radius : 1);
-                // Below the horizon, where there are no views, the grid continues, so that filters see a smooth function.
+                // Below the horizon, where there are no views, the grid continues, so that filters see a smooth
+                // function.
                 double w = -Math.max(0, light.z() + 1 - 2 * t * (2 - t));
                 return new double[] {-light.x() - across * x, -light.y() - across * y, w};
             }

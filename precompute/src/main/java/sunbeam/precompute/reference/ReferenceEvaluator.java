@@ -1,6 +1,7 @@
 package sunbeam.precompute.reference;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.DirectionPair;
@@ -111,8 +112,6 @@ public record ReferenceEvaluator(
         double reach = POWER_REACH * window.sigmaFrequency() * axis.period();
         int first = (int) Math.ceil(frequency * axis.period() - reach);
         int last = (int) Math.floor(frequency * axis.period() + reach);
-        int[] bins = new int[Math.max(0, last - first + 1)];
-        Arrays.setAll(bins, i -> first + i);
-        return bins;
+        return IntStream.rangeClosed(first, last).toArray();
     }
 }
