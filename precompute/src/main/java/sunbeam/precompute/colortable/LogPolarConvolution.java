@@ -12,7 +12,7 @@ import sunbeam.precompute.spectrum.PowerSpectrum;
  * Evaluates colors along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w, by the log-polar convolution: a wavelength
  * sees f = (u, v) / lambda, and ln |f| = ln |(u, v)| - ln lambda. So for each term of the power the integral over wavelengths is a
  * convolution of the term along the ray with the color matching function times the term's coefficient; one FFT, in double precision, serves
- * all positions and wavelengths. The error is that of {@link AverageProjection}. Immutable; each thread uses a {@link Line} of its own.
+ * all positions and wavelengths. The error is that of {@link AverageProjection}. Not thread-safe.
  */
 final class LogPolarConvolution {
     private static final int COLORS = 3;
@@ -26,6 +26,10 @@ final class LogPolarConvolution {
     private final int stride;
     // [pair][term]. A pair is two real results of one complex transform: X and Y of a slice, or Z of two slices.
     private final double[][][][] kernels;
+    private final double[] averages;
+    private final double[][] transformed;
+    private final double[][][] spectra;
+    private final double[][] sum;
 
     /**
      * Positions begin at ln |(u, v)| {@code first}; their wavelengths have equal steps of ln lambda; depths are |w| of the slices.
@@ -52,6 +56,10 @@ final class LogPolarConvolution {
         }
         // An even number, padded by zeros as those of PowerSpectrum: terms are transformed and multiplied in pairs.
         this.terms = (atNodes[0][0].length + 1) / 2 * 2;
+        this.averages = new double[stride * length];
+        this.transformed = new double[2][padded];
+        this.spectra = new double[terms][2][padded];
+        this.sum = new double[2][padded];
         this.kernels = new double[pairs()][terms][][];
         for (int pair = 0; pair < pairs(); pair++) {
             for (int m = 0; m < terms; m++) {
@@ -100,68 +108,61 @@ final class LogPolarConvolution {
         return knots;
     }
 
-    final class Line {
-        private final double[] averages = new double[stride * knots.count()];
-        private final double[][] transformed = new double[2][padded];
-        private final double[][][] spectra = new double[terms][2][padded];
-        private final double[][] sum = new double[2][padded];
-
-        /** @param output colors, {@code [slice * 3 + color][first + position]} */
-        void colors(WindowedSpectrum.RayBatch batch, double angle, float[][] output, int first) {
-            batch.averages(angle, averages);
-            transformTerms();
-            for (int pair = 0; pair < pairs(); pair++) {
-                multiply(kernels[pair]);
-                transform(sum, TransformType.INVERSE);
-                for (int i = 0; i < 2; i++) {
-                    int to = target(2 * pair + i);
-                    for (int position = 0; to < output.length && position < count; position++) {
-                        output[to][first + position] = (float) sum[i][interpolation.knots - 1 + position];
-                    }
+    /** @param output colors, {@code [slice * 3 + color][first + position]} */
+    void colors(WindowedSpectrum.RayBatch batch, double angle, float[][] output, int first) {
+        batch.averages(angle, averages);
+        transformTerms();
+        for (int pair = 0; pair < pairs(); pair++) {
+            multiply(kernels[pair]);
+            transform(sum, TransformType.INVERSE);
+            for (int i = 0; i < 2; i++) {
+                int to = target(2 * pair + i);
+                for (int position = 0; to < output.length && position < count; position++) {
+                    output[to][first + position] = (float) sum[i][interpolation.knots - 1 + position];
                 }
             }
         }
+    }
 
-        private void transformTerms() {
-            for (int m = 0; m < terms; m += 2) {
-                for (int i = 0; i < 2; i++) {
-                    Arrays.fill(transformed[i], 0);
-                    for (int knot = 0; knot < knots.count(); knot++) {
-                        transformed[i][knot] = averages[knot * stride + m + i];
-                    }
-                }
-                transform(transformed, TransformType.FORWARD);
-                double[] re = transformed[0];
-                double[] im = transformed[1];
-                for (int k = 0; k < padded; k++) {
-                    int mirrored = k == 0 ? 0 : padded - k;
-                    spectra[m][0][k] = 0.5 * (re[k] + re[mirrored]);
-                    spectra[m][1][k] = 0.5 * (im[k] - im[mirrored]);
-                    spectra[m + 1][0][k] = 0.5 * (im[k] + im[mirrored]);
-                    spectra[m + 1][1][k] = 0.5 * (re[mirrored] - re[k]);
+    private void transformTerms() {
+        for (int m = 0; m < terms; m += 2) {
+            for (int i = 0; i < 2; i++) {
+                Arrays.fill(transformed[i], 0);
+                for (int knot = 0; knot < knots.count(); knot++) {
+                    transformed[i][knot] = averages[knot * stride + m + i];
                 }
             }
+            transform(transformed, TransformType.FORWARD);
+            double[] re = transformed[0];
+            double[] im = transformed[1];
+            for (int k = 0; k < padded; k++) {
+                int mirrored = k == 0 ? 0 : padded - k;
+                spectra[m][0][k] = 0.5 * (re[k] + re[mirrored]);
+                spectra[m][1][k] = 0.5 * (im[k] - im[mirrored]);
+                spectra[m + 1][0][k] = 0.5 * (im[k] + im[mirrored]);
+                spectra[m + 1][1][k] = 0.5 * (re[mirrored] - re[k]);
+            }
         }
+    }
 
-        /** Adds two products at once, which halves the memory traffic of the sums. */
-        private void multiply(double[][][] kernel) {
-            double[] real = sum[0];
-            double[] imag = sum[1];
-            Arrays.fill(real, 0);
-            Arrays.fill(imag, 0);
-            for (int m = 0; m < terms; m += 2) {
-                double[] ar = spectra[m][0];
-                double[] ai = spectra[m][1];
-                double[] br = kernel[m][0];
-                double[] bi = kernel[m][1];
-                double[] cr = spectra[m + 1][0];
-                double[] ci = spectra[m + 1][1];
-                double[] dr = kernel[m + 1][0];
-                double[] di = kernel[m + 1][1];
-                for (int k = 0; k < padded; k++) {
-                    real[k] += ar[k] * br[k] - ai[k] * bi[k] + cr[k] * dr[k] - ci[k] * di[k];
-                    imag[k] += ar[k] * bi[k] + ai[k] * br[k] + cr[k] * di[k] + ci[k] * dr[k];
-                }
+    /** Adds two products at once, which halves the memory traffic of the sums. */
+    private void multiply(double[][][] kernel) {
+        double[] real = sum[0];
+        double[] imag = sum[1];
+        Arrays.fill(real, 0);
+        Arrays.fill(imag, 0);
+        for (int m = 0; m < terms; m += 2) {
+            double[] ar = spectra[m][0];
+            double[] ai = spectra[m][1];
+            double[] br = kernel[m][0];
+            double[] bi = kernel[m][1];
+            double[] cr = spectra[m + 1][0];
+            double[] ci = spectra[m + 1][1];
+            double[] dr = kernel[m + 1][0];
+            double[] di = kernel[m + 1][1];
+            for (int k = 0; k < padded; k++) {
+                real[k] += ar[k] * br[k] - ai[k] * bi[k] + cr[k] * dr[k] - ci[k] * di[k];
+                imag[k] += ar[k] * bi[k] + ai[k] * br[k] + cr[k] * di[k] + ci[k] * dr[k];
             }
         }
     }

@@ -178,13 +178,12 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
         private float[][] planes(ColorBaker.Token token) {
             float[][] planes = new float[COLORS * slices.depths().length][tileRays * positions.count()];
             LogPolarConvolution convolution = new LogPolarConvolution(start, positions, slices.depths(), powers.bins());
-            LogPolarConvolution.Line line = convolution.new Line();
             int next;
             for (int i = 0; i < tileRays; i = next) {
                 next = endOfBatch(i);
                 WindowedSpectrum.RayBatch batch = powers.new RayBatch(angle(i), angle(next - 1), convolution.knots());
                 for (int ray = i; ray < next; ray++) {
-                    line.colors(batch, angle(ray), planes, ray * positions.count());
+                    convolution.colors(batch, angle(ray), planes, ray * positions.count());
                     token.step(0);
                 }
             }

@@ -134,13 +134,9 @@ public interface Expansion {
         }
 
         /** Returns Lagrange's bound of the remainder: derivatives are at most 1, where the thesis's eq. 2.51 takes e^zeta. */
-        public double errorBound(double zeta) {
-            return coefficients(zeta)[terms - 1] * zeta / terms;
-        }
-
         @Override
         public double error() {
-            return errorBound(maximumPhase);
+            return coefficients(maximumPhase)[terms - 1] * maximumPhase / terms;
         }
     }
 }

@@ -2,6 +2,7 @@ package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.EigenDecomposition;
 import org.apache.commons.math3.linear.QRDecomposition;
@@ -123,15 +124,12 @@ public record LowRankExpansion(
                 .map(Math::abs)
                 .max()
                 .orElseThrow();
-        int length = series[0].length;
-        while (length > 2 && isNegligible(series, length - 1, SMALLEST_SIGNIFICANT * largest)) {
-            length--;
-        }
-        return length;
-    }
-
-    private static boolean isNegligible(double[][] series, int degree, double limit) {
-        return Arrays.stream(series).allMatch(one -> Math.abs(one[degree]) <= limit);
+        return 1
+                + IntStream.range(2, series[0].length)
+                        .filter(k -> Arrays.stream(series)
+                                .anyMatch(one -> Math.abs(one[k]) > SMALLEST_SIGNIFICANT * largest))
+                        .max()
+                        .orElse(1);
     }
 
     @Override

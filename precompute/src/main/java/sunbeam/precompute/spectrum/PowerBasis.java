@@ -26,7 +26,8 @@ final class PowerBasis {
     private final PhaseOctaves octaves;
     private final double[] weights;
     private final double[][] functions;
-    private final double[][] projections;
+    /** Values of the functions' coefficients, {@code [function][bin]}. */
+    final double[][] projections;
 
     PowerBasis(FourierTable table, double tolerance) {
         Expansion expansion = table.expansion();
@@ -171,10 +172,6 @@ final class PowerBasis {
     CoefficientTable coefficients() {
         return CoefficientTable.sampled(
                 nodes.minimum(), nodes.maximum(), PowerSpectrum.BANDWIDTH, zeta -> nodes.interpolate(functions, zeta));
-    }
-
-    double[][] projections() {
-        return projections;
     }
 
     /** Octave around each node: its first node, and the node after its last. */

@@ -1,12 +1,14 @@
 package sunbeam.precompute.spectrum;
 
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.spectrum.Expansion.HeightScale;
 
 /**
  * Power spectrum of a surface: |F_j|^2 of its DFT bins as a short sum of terms, each a function of the phase zeta times one value per bin.
- * Built once per surface; each user applies its own window. Powers are {@code [row][column][term]}, not to be changed. Thread-safe.
+ * Built once per surface; each user applies its own window. {@code exchanged} holds the spectrum with x and y exchanged, once it
+ * is made: it is as large, and all open bakers of a table use it. Powers are {@code [row][column][term]}, not to be changed. Thread-safe.
  */
 public record PowerSpectrum(
         HeightScale scale,
@@ -15,7 +17,7 @@ public record PowerSpectrum(
         Axis y,
         double[] powers,
         double tolerance,
-        Exchanged exchanged) {
+        AtomicReference<PowerSpectrum> exchanged) {
     /** Largest angular frequency of a power over the phase: two scaled heights, both in -1..1, differ by at most 2. */
     public static final double BANDWIDTH = 2;
 
@@ -34,21 +36,15 @@ public record PowerSpectrum(
         }
     }
 
-    /** Spectrum with x and y exchanged, once it is made: as large as the spectrum, and all open bakers of a table use it. */
-    static final class Exchanged {
-        private volatile PowerSpectrum spectrum;
-    }
-
     private PowerSpectrum(
             HeightScale scale, CoefficientTable coefficients, Axis x, Axis y, double[] powers, double tolerance) {
-        this(scale, coefficients, x, y, powers, tolerance, new Exchanged());
+        this(scale, coefficients, x, y, powers, tolerance, new AtomicReference<>());
     }
 
     /** Returns a surface's spectrum with a relative root-mean-square error of the powers over an octave of phases. */
     public static PowerSpectrum of(FourierTable table, double tolerance) {
         PowerBasis basis = new PowerBasis(table, tolerance);
-        return of(
-                table.expansion().scale(), basis.coefficients(), table.x(), table.y(), basis.projections(), tolerance);
+        return of(table.expansion().scale(), basis.coefficients(), table.x(), table.y(), basis.projections, tolerance);
     }
 
     /** Returns a spectrum of terms {@code [term][bin]}. */
@@ -87,7 +83,7 @@ public record PowerSpectrum(
 
     /** Returns the spectrum with x and y exchanged, made on first use; two threads may make it, neither waits. */
     public PowerSpectrum transposed() {
-        PowerSpectrum known = exchanged.spectrum;
+        PowerSpectrum known = exchanged.get();
         if (known != null) {
             return known;
         }
@@ -100,8 +96,8 @@ public record PowerSpectrum(
             }
         });
         known = new PowerSpectrum(scale, coefficients, y, x, target, tolerance);
-        known.exchanged.spectrum = this;
-        exchanged.spectrum = known;
+        known.exchanged.set(this);
+        exchanged.set(known);
         return known;
     }
 

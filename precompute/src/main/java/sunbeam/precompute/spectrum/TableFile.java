@@ -14,9 +14,6 @@ import sunbeam.precompute.setting.ValueKind;
  * SI units.
  */
 public final class TableFile {
-    private static final String FORMAT = "sunbeam fourier table";
-    private static final int VERSION = 1;
-
     private TableFile() {}
 
     /** Writes to a temporary name, which the caller renames; throws UncheckedIOException if the file cannot be written. */
@@ -41,8 +38,8 @@ public final class TableFile {
     }
 
     private static void describe(WritableHdfFile hdf, FourierTable table) {
-        hdf.putAttribute("format", FORMAT);
-        hdf.putAttribute("format_version", VERSION);
+        hdf.putAttribute("format", "sunbeam fourier table");
+        hdf.putAttribute("format_version", 1);
         hdf.putAttribute("content", "terms[n][0] + i terms[n][1]: inverse DFT (1/N, exp(+i)) of T_n(h) of one period");
         hdf.putAttribute(
                 "rows_are", "bins of y, ascending from first_bin_y; frequency = bin / height, cycles per metre");

@@ -14,6 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.colortable.AtlasPages.TableLookUp;
+import sunbeam.precompute.colortable.TileGrid.TableSpace;
+import sunbeam.precompute.colortable.ValidatedTable.TablePoints;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -21,7 +23,6 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
-import sunbeam.precompute.colortable.TileGrid.TableSpace;
 
 class ColorTableTest {
     private static final GaussianArea ENSEMBLE = RadialBakerTest.ensemble(12e-6);
