@@ -63,7 +63,7 @@ record DepthInterpolation(double[] depths, int taps, double[] denominators) {
         return nodes;
     }
 
-    /** Returns slices with which a sample's color does not depend on its batch, if they do not. */
+    /** Returns slices in equal steps. */
     static DepthInterpolation equallySpaced(double lowest, double range, double widestStep) {
         int slices = spaced(range, widestStep);
         double step = range / (slices - 1);

@@ -173,7 +173,13 @@ public final class LevelBaking {
                         samples.get(from).roots, COLORS * texel, rows, COLORS * input, COLORS * length));
         // The filter runs along all lines at once.
         interpolation.toCoefficients(rows, inputSide, inputSide * COLORS);
-        float[] transposed = storedRowsTransposed(rows);
+        float[] transposed = new float[inputSide * STORED_SIDE * COLORS];
+        for (int row = 0; row < STORED_SIDE; row++) {
+            for (int column = 0; column < inputSide; column++) {
+                int from = inputSide * (row + MARGIN) + column;
+                System.arraycopy(rows, COLORS * from, transposed, COLORS * (column * STORED_SIDE + row), COLORS);
+            }
+        }
         interpolation.toCoefficients(transposed, inputSide, STORED_SIDE * COLORS);
         float[] stored = new float[TILE_NUMBERS];
         for (int texel = 0; texel < STORED_SIDE * STORED_SIDE; texel++) {
@@ -181,17 +187,6 @@ public final class LevelBaking {
             System.arraycopy(transposed, COLORS * from, stored, CHANNELS * texel, COLORS);
         }
         return numbers.encoded(stored);
-    }
-
-    private float[] storedRowsTransposed(float[] plane) {
-        float[] transposed = new float[inputSide * STORED_SIDE * COLORS];
-        for (int row = 0; row < STORED_SIDE; row++) {
-            for (int column = 0; column < inputSide; column++) {
-                int from = inputSide * (row + MARGIN) + column;
-                System.arraycopy(plane, COLORS * from, transposed, COLORS * (column * STORED_SIDE + row), COLORS);
-            }
-        }
-        return transposed;
     }
 
     /** Returns x of a cell by its number in Morton order (G. M. Morton, 1966), which interleaves the bits; y is x of half of it. */

@@ -72,11 +72,6 @@ final class LogPolarConvolution {
         }
     }
 
-    /** Returns the least length of the transform in which the convolution does not wrap around. */
-    static int length(int count, int stride, int nodes) {
-        return count + AverageProjection.knots(stride, nodes) - 1;
-    }
-
     private static void transform(double[][] complex, TransformType direction) {
         FastFourierTransformer.transformInPlace(complex, DftNormalization.STANDARD, direction);
     }

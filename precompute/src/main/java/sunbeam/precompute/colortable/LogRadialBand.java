@@ -85,8 +85,9 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
             return 2 * MARGIN + 2 + (int) Math.ceil(Math.log(2) / step());
         }
 
+        /** Returns the least length of the transform in which the convolution does not wrap around. */
         int length() {
-            return LogPolarConvolution.length(count(), stride, wavelengths.count());
+            return count() + LogPolarConvolution.AverageProjection.knots(stride, wavelengths.count()) - 1;
         }
     }
 

@@ -61,7 +61,7 @@ public final class RadialBaker implements ColorBaker {
                 spectrum, area.window(), includeFaintTails ? FINE_REACH : COARSE_REACH, !includeFaintTails);
         this.sliceStep = design.sliceStep();
         double sigma = area.window().sigmaFrequency();
-        this.direct = new DirectBaker(powers, cie, sigma);
+        this.direct = new DirectBaker(powers, cie);
         double rayStep = SPACING * design.step();
         int last = (int) Math.max(0, Math.log(farthest / (2 * INNER_STEPS * rayStep)) / Math.log(2));
         this.bands = IntStream.rangeClosed(0, last)
@@ -183,10 +183,11 @@ public final class RadialBaker implements ColorBaker {
         // The key is the number of halvings of WIDEST_STEP.
         private final Map<Integer, WavelengthNodes> nodes = new ConcurrentHashMap<>();
 
-        DirectBaker(WindowedSpectrum powers, CieTable cie, double sigmaFrequency) {
+        DirectBaker(WindowedSpectrum powers, CieTable cie) {
             this.powers = powers;
             this.cie = cie;
-            this.orderStep = (cie.isSmooth() ? ORDER_STEP : FLANK_STEP) * sigmaFrequency * cie.shortestWavelength();
+            this.orderStep =
+                    (cie.isSmooth() ? ORDER_STEP : FLANK_STEP) * powers.sigmaFrequency() * cie.shortestWavelength();
         }
 
         @Override

@@ -37,17 +37,6 @@ public record SlopeBaker(
     /** Slice of one |w|: per wavelength the first of the planes around its sigma_f, and a factor for each term of these. */
     private record Slice(int[] planes, float[][] factors) {}
 
-    /** Builds the pyramid that all levels of a table with slopes share; takes tenths of a second. */
-    public static GaussianPyramid pyramid(PowerSpectrum spectrum, ColorTable table) {
-        int coarsest = table.levels().size() - 1;
-        return new GaussianPyramid(
-                spectrum,
-                table.area().window().sigmaFrequency(),
-                sigmaFrequency(table, 0, 0, CieTable.MAXIMUM_WAVELENGTH),
-                sigmaFrequency(table, coarsest, ColorTable.DEEPEST, CieTable.MINIMUM_WAVELENGTH),
-                FARTHEST / CieTable.MINIMUM_WAVELENGTH);
-    }
-
     private static double sigmaFrequency(ColorTable table, int level, double depth, double wavelength) {
         return table.widened(table.slopeVariance(level, depth), wavelength).sigmaFrequency();
     }
@@ -183,16 +172,20 @@ public record SlopeBaker(
             }
         }
 
-        /** Windows have sigma_f from {@code narrowest} to {@code widest}; sums under that at a point are not divided; cycles per meter. */
-        GaussianPyramid(
-                PowerSpectrum bins, double pointSigmaFrequency, double narrowest, double widest, double farthest) {
+        /** Builds the planes for all levels of a table with slopes; takes tenths of a second. Sums under its point's window are not divided. */
+        public GaussianPyramid(PowerSpectrum bins, ColorTable table) {
+            double narrowest = sigmaFrequency(table, 0, 0, CieTable.MAXIMUM_WAVELENGTH);
+            int coarsest = table.levels().size() - 1;
+            double widest = sigmaFrequency(table, coarsest, ColorTable.DEEPEST, CieTable.MINIMUM_WAVELENGTH);
+            double farthest = FARTHEST / CieTable.MINIMUM_WAVELENGTH;
+            double share = Math.pow(table.area().window().sigmaFrequency() / narrowest, 2);
             this.stride = bins.stride();
             float[] powers = new float[bins.powers().length];
             for (int i = 0; i < powers.length; i++) {
                 powers[i] = (float) bins.powers()[i];
             }
             Plane plane = Plane.empty(narrowest, farthest, stride);
-            sum(powers, bins.x(), bins.y(), narrowest, plane, Math.pow(pointSigmaFrequency / narrowest, 2));
+            sum(powers, bins.x(), bins.y(), narrowest, plane, share);
             planes.add(plane);
             while (planes.size() < TAPS || plane.sigmaFrequency < widest) {
                 Plane before = plane;

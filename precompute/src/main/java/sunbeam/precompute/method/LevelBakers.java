@@ -30,7 +30,7 @@ public final class LevelBakers {
             SpectrumPlan bins = plan.spectrum().orElseThrow();
             return PowerSpectrum.of(sources.fourier(bins), new ErrorBudget(plan.tolerance()).powerBasis());
         });
-        this.pyramid = new Lazy<>(() -> SlopeBaker.pyramid(spectrum.get(), plan.table()));
+        this.pyramid = new Lazy<>(() -> new GaussianPyramid(spectrum.get(), plan.table()));
     }
 
     public ColorTable table() {

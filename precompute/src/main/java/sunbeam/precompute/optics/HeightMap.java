@@ -19,8 +19,6 @@ import sunbeam.precompute.units.Lengths;
  */
 public record HeightMap(
         int columns, int rows, double pitchX, double pitchY, double[] heights, HeightMap.Derived derived) {
-    private static final int HEIGHTS_PER_BLOCK = 8192;
-
     /** Statistics of the samples that are not missing, and the digest. Concurrent threads may compute them twice with the same result. */
     static final class Derived {
         private volatile DoubleSummaryStatistics range;
@@ -117,16 +115,17 @@ public record HeightMap(
     private String sha256() {
         Sha256 sha = new Sha256();
         sha.add("sunbeam height map 1\n");
-        ByteBuffer block = ByteBuffer.allocate(HEIGHTS_PER_BLOCK * Double.BYTES);
-        block.putInt(columns).putInt(rows).putDouble(pitchX).putDouble(pitchY);
-        for (double height : heights) {
-            if (block.remaining() < Double.BYTES) {
-                sha.add(block.flip());
-                block.clear();
-            }
-            block.putDouble(height);
+        ByteBuffer size = ByteBuffer.allocate(2 * Integer.BYTES + 2 * Double.BYTES);
+        sha.add(size.putInt(columns)
+                .putInt(rows)
+                .putDouble(pitchX)
+                .putDouble(pitchY)
+                .flip());
+        ByteBuffer line = ByteBuffer.allocate(Double.BYTES * columns);
+        for (int row = 0; row < rows; row++) {
+            line.clear().asDoubleBuffer().put(heights, row * columns, columns);
+            sha.add(line);
         }
-        sha.add(block.flip());
         return sha.hex();
     }
 

@@ -7,8 +7,8 @@ import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.spectrum.Expansion.HeightScale;
 import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
+import sunbeam.precompute.spectrum.Expansion.HeightScale;
 
 /**
  * DFT bins of an expansion's terms T_n(h) over one patch, limited to the visible frequencies, bin / width and bin / height. Parts are

@@ -60,17 +60,15 @@ public record GridResampler(Axis alongX, Axis alongY) {
 
     /** Resamples real fields {@code [field][bin]}, rows of ascending y; the target interleaves them, {@code stride} per sample. */
     public void resample(double[][] fields, float[] target, int stride, Order order) {
-        double[][] halves = new double[fields.length][];
-        Arrays.setAll(halves, i -> alongX(fields[i]));
+        double[][] halves = Arrays.stream(fields).map(this::alongX).toArray(double[][]::new);
         int columns = alongX.samples();
         int rows = alongY.samples();
         IntStream.range(0, rows).parallel().forEach(row -> {
-            double[][] sums = new double[fields.length][];
-            Arrays.setAll(sums, i -> row(halves[i], row));
-            for (int column = 0; column < columns; column++) {
-                int sample = order == Order.COLUMNS ? column * rows + row : row * columns + column;
-                for (int i = 0; i < fields.length; i++) {
-                    target[sample * stride + i] = (float) sums[i][column];
+            for (int i = 0; i < fields.length; i++) {
+                double[] sums = row(halves[i], row);
+                for (int column = 0; column < columns; column++) {
+                    int sample = order == Order.COLUMNS ? column * rows + row : row * columns + column;
+                    target[sample * stride + i] = (float) sums[column];
                 }
             }
         });

@@ -14,8 +14,8 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.colortable.AtlasPages.TableLookUp;
-import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.colortable.TileGrid.TableSpace;
+import sunbeam.precompute.plan.GaussianArea;
 
 /** Tiles of a level: their baking, the interpolation between their texels, and the numbers that they store. */
 class LevelBakingTest {

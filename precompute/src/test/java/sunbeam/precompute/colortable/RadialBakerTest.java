@@ -241,7 +241,8 @@ class RadialBakerTest {
         ColorTable table = ColorTable.within(1e-2, AREA, map.relief(), false, SLOPES);
         PowerSpectrum slopeSpectrum = spectrum(map, AREA, table.widest(), 1e-4);
         CieTable cie = CieTable.load();
-        SlopeBaker colors = new SlopeBaker(slopeSpectrum, cie, SlopeBaker.pyramid(slopeSpectrum, table), table, 0);
+        SlopeBaker colors =
+                new SlopeBaker(slopeSpectrum, cie, new SlopeBaker.GaussianPyramid(slopeSpectrum, table), table, 0);
         RadialBaker points = new RadialBaker(slopeSpectrum, cie, AREA, new TableDesign(0.01, 21), 2, true);
         // The mirror direction, its flank at two and three deviations, orders, and grazing directions.
         List<double[]> places = List.of(
