@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.util.MathArrays;
 import sunbeam.precompute.files.Sha256;
 
 /**
@@ -135,13 +136,9 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
 
     /** Returns this table with the light's spectrum times a function of the wavelength in meters; Y stays relative to the former light. */
     public CieTable times(DoubleUnaryOperator factor) {
-        double[][] product = new double[weighted.length][3];
-        for (int i = 0; i < product.length; i++) {
-            double value = factor.applyAsDouble(MINIMUM_WAVELENGTH + i * 1e-9);
-            for (int channel = 0; channel < 3; channel++) {
-                product[i][channel] = value * weighted[i][channel];
-            }
-        }
+        double[][] product = IntStream.range(0, weighted.length)
+                .mapToObj(i -> MathArrays.scale(factor.applyAsDouble(MINIMUM_WAVELENGTH + i * 1e-9), weighted[i]))
+                .toArray(double[][]::new);
         return new CieTable(product, integralOfY, description, isSmooth);
     }
 

@@ -6,6 +6,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.analysis.integration.gauss.GaussIntegrator;
 import org.apache.commons.math3.analysis.integration.gauss.GaussIntegratorFactory;
+import org.apache.commons.math3.util.MathArrays;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
@@ -98,13 +99,9 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
         double[] coarse = integrated(cie, firstStep).sum(power);
         for (int halving = 1; halving <= MOST_HALVINGS; halving++) {
             double[] fine = integrated(cie, Math.scalb(firstStep, -halving)).sum(power);
-            double change = 0;
-            double largest = 0;
-            for (int c = 0; c < 3; c++) {
-                change = Math.max(change, Math.abs(fine[c] - coarse[c]));
-                largest = Math.max(largest, Math.abs(fine[c]));
-            }
-            if (change <= CONVERGED * largest + AMPLITUDE_ROUNDING * (Math.sqrt(largest) + AMPLITUDE_ROUNDING)) {
+            double largest = MathArrays.distanceInf(fine, new double[3]);
+            if (MathArrays.distanceInf(fine, coarse)
+                    <= CONVERGED * largest + AMPLITUDE_ROUNDING * (Math.sqrt(largest) + AMPLITUDE_ROUNDING)) {
                 return fine;
             }
             coarse = fine;

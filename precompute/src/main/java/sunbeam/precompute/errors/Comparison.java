@@ -3,6 +3,7 @@ package sunbeam.precompute.errors;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
+import org.apache.commons.math3.util.MathArrays;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.plan.ErrorBudget;
 
@@ -35,11 +36,7 @@ public record Comparison(double[] computed, double[] exact, double gain) {
 
     /** Returns the largest difference over the largest exact value, so that a nearly dark channel does not dominate. */
     public double relative() {
-        double difference = 0;
-        for (int c = 0; c < exact.length; c++) {
-            difference = Math.max(difference, Math.abs(computed[c] - exact[c]));
-        }
-        return difference / Math.max(FLOOR * gain, largest(exact));
+        return MathArrays.distanceInf(computed, exact) / Math.max(FLOOR * gain, largest(exact));
     }
 
     public double colorDifference(double exposure) {

@@ -23,27 +23,18 @@ public record ResponseMatrix(ResponseGrid grid, double[][] values) {
 
     /** Linear between angles; NaN beyond the grid. The frequency is u / lambda in cycles per meter. */
     double atFrequency(int row, double frequency) {
-        double position = position(grid.plane().thetaR(frequency * grid.wavelengths()[row]));
-        if (!(position >= 0 && position <= grid.angles().length - 1)) {
-            return Double.NaN;
-        }
-        int index = Math.min((int) position, Math.max(0, grid.angles().length - 2));
-        double before = values[row][index];
-        double fraction = position - index;
-        return fraction == 0 ? before : before + fraction * (values[row][index + 1] - before);
-    }
-
-    private double position(double angle) {
         double[] angles = grid.angles();
+        double angle = grid.plane().thetaR(frequency * grid.wavelengths()[row]);
         if (!(angle >= angles[0] && angle <= angles[angles.length - 1])) {
             return Double.NaN;
         }
         int found = Arrays.binarySearch(angles, angle);
         if (found >= 0) {
-            return found;
+            return values[row][found];
         }
         int next = -found - 1;
-        return next - 1 + (angle - angles[next - 1]) / (angles[next] - angles[next - 1]);
+        double fraction = (angle - angles[next - 1]) / (angles[next] - angles[next - 1]);
+        return values[row][next - 1] + fraction * (values[row][next] - values[row][next - 1]);
     }
 
     /** Wavelengths, meters, and signed angles theta_r, radians, of a response, both ascending (see {@link GratingPlane}). */

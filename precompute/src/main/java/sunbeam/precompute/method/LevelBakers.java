@@ -12,6 +12,7 @@ import sunbeam.precompute.colortable.RadialBaker;
 import sunbeam.precompute.colortable.SlopeBaker;
 import sunbeam.precompute.colortable.SlopeBaker.GaussianPyramid;
 import sunbeam.precompute.colortable.TileGrid.TableSpace;
+import sunbeam.precompute.method.MethodPlan.TableSources;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.spectrum.PowerSpectrum;

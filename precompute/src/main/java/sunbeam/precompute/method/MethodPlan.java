@@ -5,11 +5,15 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
+import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
+import sunbeam.precompute.colortable.ColorBaker;
+import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
+import sunbeam.precompute.spectrum.FourierTable;
 
 /**
  * Plan of a method for a surface and the directions that can occur.
@@ -56,5 +60,27 @@ public record MethodPlan(
     /** Returns the shader's tables for a supported use; layers of large arrays are computed on demand. */
     public ShaderTables tables(MethodUse use, TableSources sources) {
         return maker.apply(use, sources);
+    }
+
+    /** Source of a surface's tables, which makes them or reads them from caches. */
+    public interface TableSources {
+        FourierTable fourier(SpectrumPlan plan);
+
+        ShaderTables tables(MethodPlan plan);
+
+        /** Opens a baker that runs the shader of these tables; the caller closes it. */
+        ColorBaker baker(ShaderTables tables);
+
+        /** Shows the progress of baking samples until the caller closes it. */
+        ColorBaker.Token progress(long samples);
+
+        boolean hasTiles();
+
+        boolean hasTiles(ColorTablePlan plan);
+
+        /** The caller closes it. */
+        CachedTiles tiles(ColorTablePlan plan);
+
+        ValidatedTable.Diagnostics diagnostics();
     }
 }

@@ -115,8 +115,16 @@ public record PqMethod(
         double step = table.isThesis() ? COARSEST_STEP : wavelengthStep(surface.map(), repeated, range);
         WavelengthNodes wavelengths =
                 WavelengthNodes.uniform(surface.cie(), table.wavelengthStep().orElse(step));
-        Period planned =
-                new Period(this, surface, surface.planner().expansion(table, range), range, repeated, wavelengths);
+        int samplesPerBin = interpolation.oversampling();
+        Period planned = new Period(
+                this,
+                surface,
+                surface.planner().expansion(table, range),
+                range,
+                range.bandX(samplesPerBin * surface.map().width(), interpolation.margin()),
+                range.bandY(samplesPerBin * surface.map().height(), interpolation.margin()),
+                repeated,
+                wavelengths);
         surface.planner().excess(planned.memory()).ifPresent(excess -> {
             throw new SettingException(
                     Methods.METHOD,
@@ -150,6 +158,8 @@ public record PqMethod(
             Surface surface,
             Expansion expansion,
             VisibleRange range,
+            Band bandX,
+            Band bandY,
             Replicas replicas,
             WavelengthNodes wavelengths) {
         MethodPlan plan() {
@@ -180,19 +190,9 @@ public record PqMethod(
                     "wavelengths: chosen, or one per cycle of the power over 1 / lambda");
         }
 
-        private Band bandX() {
-            return range.bandX(
-                    method.interpolation.oversampling() * surface.map().width(), method.interpolation.margin());
-        }
-
-        private Band bandY() {
-            return range.bandY(
-                    method.interpolation.oversampling() * surface.map().height(), method.interpolation.margin());
-        }
-
         private ArrayLayout termsLayout() {
             int layers = (expansion.terms() + TERMS_PER_TEXEL - 1) / TERMS_PER_TEXEL;
-            return ArrayLayout.layered(TERMS, bandX().count(), bandY().count(), layers, 2 * TERMS_PER_TEXEL);
+            return ArrayLayout.layered(TERMS, bandX.count(), bandY.count(), layers, 2 * TERMS_PER_TEXEL);
         }
 
         MemoryNeed memory() {
@@ -211,7 +211,7 @@ public record PqMethod(
         private ShaderTables tables() {
             HeightMap map = surface.map();
             PeriodSpectrum spectrum =
-                    new PeriodSpectrum(surface.levels(), expansion, bandX(), bandY(), method.interpolation);
+                    new PeriodSpectrum(surface.levels(), expansion, bandX, bandY, method.interpolation);
             CoefficientTable coefficients = CoefficientTable.sampled(expansion);
             ArrayLayout terms = termsLayout();
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");
@@ -233,7 +233,7 @@ public record PqMethod(
                             "periodScale",
                             method.interpolation.oversampling() * map.width(),
                             method.interpolation.oversampling() * map.height())
-                    .reals("periodFirst", bandX().first(), bandY().first())
+                    .reals("periodFirst", bandX.first(), bandY.first())
                     .reals("periodLength", map.width(), map.height())
                     .reals("periodReplicas", replicas.alongX(), replicas.alongY())
                     .integers("wavelengthCount", wavelengths.count())
@@ -241,7 +241,7 @@ public record PqMethod(
         }
 
         private float[] layer(PeriodSpectrum spectrum, int layer) {
-            float[] texels = new float[4 * bandX().count() * bandY().count()];
+            float[] texels = new float[4 * bandX.count() * bandY.count()];
             for (int n = 0; n < TERMS_PER_TEXEL && TERMS_PER_TEXEL * layer + n < expansion.terms(); n++) {
                 ComplexVector term = spectrum.term(TERMS_PER_TEXEL * layer + n);
                 for (int i = 0; i < term.length(); i++) {

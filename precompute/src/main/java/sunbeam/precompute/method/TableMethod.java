@@ -17,6 +17,7 @@ import sunbeam.precompute.colortable.RadialBaker;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.colortable.ValidatedTable.TablePoints;
+import sunbeam.precompute.method.MethodPlan.TableSources;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;

@@ -124,23 +124,16 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         // exp(0.5^2 / sigma^2) times the power half a bin aside.
         private static final double RESOLVED_SIGMA_BINS = 0.4;
 
-        private HeightMap map() {
-            return heights.map();
-        }
-
-        private CoherenceWindow window() {
-            return area.window();
-        }
-
         /** Returns the samplings that keep the tolerance, the fastest first; later ones need less memory. */
         List<Supplier<Sampling>> choices() {
             if (!cie.isSmooth()) {
                 // Half of the reference's step, whose error of 1e-6 of an order's maximum is too much on its flanks.
-                double step = 0.5 * WindowLight.step(window(), heights, range.longestUv(), range.maximumW());
+                double step = 0.5 * WindowLight.step(area.window(), heights, range.longestUv(), range.maximumW());
                 return List.of(() -> new BinSampling(bins(), WavelengthNodes.integrated(cie, step), true));
             }
             // The next order, at least half a bin away, must vanish there, so that the valley between orders is dark.
-            double sigmaBins = window().sigmaFrequency() * Math.max(map().width(), map().height());
+            double sigmaBins = area.window().sigmaFrequency()
+                    * Math.max(heights.map().width(), heights.map().height());
             double neighbor = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
             if (neighbor < 1e-3 * budget.tolerance()) {
                 return List.of(this::orders);
@@ -150,29 +143,29 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             Supplier<Sampling> apart = () -> grid(budget.compactInterpolation(area.average()), true);
             Supplier<Sampling> bins = () -> new OrderSampling(bins(), Optional.empty(), band(fewestNodes()));
             // Where orders are resolved along an axis, a fine enough grid is larger than the bins.
-            return interpolates(map(), window())
+            return interpolates(heights.map(), area.window())
                     ? List.of(fast, compact, apart, bins)
                     : List.of(bins, fast, compact, apart);
         }
 
         private Neighborhood bins() {
-            double sigma = window().sigmaFrequency();
+            double sigma = area.window().sigmaFrequency();
             return new Neighborhood(
-                    budget.neighborhoodRadius(sigma * map().width()),
-                    budget.neighborhoodRadius(sigma * map().height()),
+                    budget.neighborhoodRadius(sigma * heights.map().width()),
+                    budget.neighborhoodRadius(sigma * heights.map().height()),
                     Neighborhood.Anchor.NEAREST);
         }
 
         private Neighborhood reached() {
-            double reach = InterpolationDesign.GAUSS_REACH * window().sigmaFrequency();
+            double reach = InterpolationDesign.GAUSS_REACH * area.window().sigmaFrequency();
             return new Neighborhood(
-                    (int) Math.ceil(reach * map().width()),
-                    (int) Math.ceil(reach * map().height()),
+                    (int) Math.ceil(reach * heights.map().width()),
+                    (int) Math.ceil(reach * heights.map().height()),
                     Neighborhood.Anchor.NEAREST);
         }
 
         private BandRule band(int fewestNodes) {
-            double deviation = window().sigmaFrequency() / Math.sqrt(2);
+            double deviation = area.window().sigmaFrequency() / Math.sqrt(2);
             return BandRule.of(fewestNodes, deviation, budget.cutSpacing(), budget.panelDeviations());
         }
 
@@ -199,8 +192,8 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             // Columns are crossed at up to sqrt(2) of their distance. An order's power along the ray has deviation
             // sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
             double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
-            double deviation = window().sigmaFrequency() / Math.sqrt(2);
-            double uncut = window().sigmaFrequency() / perStep;
+            double deviation = area.window().sigmaFrequency() / Math.sqrt(2);
+            double uncut = area.window().sigmaFrequency() / perStep;
             boolean rough = budget.roughness().isRough();
             double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
             BandRule band = rough ? band(fewestNodes()).withEqualSteps(uncut) : band(fewestNodes());

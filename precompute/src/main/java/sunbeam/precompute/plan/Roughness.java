@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
-import java.util.stream.DoubleStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
@@ -99,11 +98,11 @@ public record Roughness(double bright, double mean, double dark, double deviatio
             return new double[] {bright, NONE.mean, NONE.dark, NONE.deviations, NONE.diffracted};
         }
         double mean = Arrays.stream(powers).average().orElseThrow();
-        DoubleStream diffracted = samples.stream().mapToDouble(sample -> Math.max(0, 1 - sample.specular()));
-        double dark = powers[powers.length / 10];
-        return new double[] {
-            bright, mean, dark, deviations, diffracted.average().orElseThrow()
-        };
+        double diffracted = samples.stream()
+                .mapToDouble(sample -> Math.max(0, 1 - sample.specular()))
+                .average()
+                .orElseThrow();
+        return new double[] {bright, mean, powers[powers.length / 10], deviations, diffracted};
     }
 
     private static double deviations(CoherenceWindow window, VisibleRange range) {

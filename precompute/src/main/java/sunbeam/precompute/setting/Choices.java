@@ -193,17 +193,13 @@ public final class Choices {
         Origin PROGRAM = of(Place.PROGRAM, setting -> setting.words(" "));
 
         static Origin of(Place place, Function<Setting<?>, String> names) {
-            return new Origin() {
-                @Override
-                public Place place() {
-                    return place;
-                }
-
+            record Named(Place place, Function<Setting<?>, String> names) implements Origin {
                 @Override
                 public String name(Setting<?> setting) {
                     return names.apply(setting);
                 }
-            };
+            }
+            return new Named(place, names);
         }
     }
 }
