@@ -69,11 +69,8 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                     Methods.METHOD,
                     " full");
         }
-        TableChoices planned = table.wavelengthStep().isPresent() ? table : table.withWavelengthStep(WAVELENGTH_STEP);
-        return planned(surface, surface.planner().plan(planned, area, range));
-    }
-
-    private MethodPlan planned(Surface surface, SpectrumPlan plan) {
+        TableChoices stepped = table.wavelengthStep().isPresent() ? table : table.withWavelengthStep(WAVELENGTH_STEP);
+        SpectrumPlan plan = surface.planner().plan(stepped, area, range);
         // Else orders count as one wavelength step each (nmm_thesis.glsl).
         boolean weighted = plan.tolerance().isPresent();
         return new MethodPlan(

@@ -26,16 +26,13 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
     private static final double SLACK = 1 + 1e-9;
 
     public static ScanLimit of(Choices choices, Patch patch) {
-        boolean windowed = choices.get(Methods.METHOD).has(COHERENCE_LENGTH);
-        boolean thesis = Preset.isThesis(choices);
-        ScanLimit none = new ScanLimit(choices, Optional.empty(), Optional.empty());
-        if (!windowed || thesis || patch.repetition() == Patch.Repetition.PERIODIC) {
-            return none;
-        }
         double chosen = choices.get(COHERENCE_LENGTH);
         double side = patch.shorterSide();
-        if (chosen <= side * SLACK) {
-            return none;
+        if (!choices.get(Methods.METHOD).has(COHERENCE_LENGTH)
+                || Preset.isThesis(choices)
+                || patch.repetition() == Patch.Repetition.PERIODIC
+                || chosen <= side * SLACK) {
+            return new ScanLimit(choices, Optional.empty(), Optional.empty());
         }
         if (patch.repetition() == Patch.Repetition.ASSUMED) {
             Sentence assumed = Sentence.of(

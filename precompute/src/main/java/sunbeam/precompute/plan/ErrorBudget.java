@@ -56,14 +56,10 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return EXPANSION_SHARE * tolerance;
     }
 
-    /** Returns the amplitude below which a bin's contribution to a frequency may be omitted. */
-    public double leftOut() {
-        return 0.5 * WINDOW_SHARE * tolerance * DARKEST_AMPLITUDE;
-    }
-
-    /** Omitted bins are at least half a bin farther. */
+    /** Returns the radius of the bins to sum; omitted ones, at least half a bin farther, contribute less than may be left out. */
     public int neighborhoodRadius(double sigmaBins) {
-        double reach = Math.sqrt(2 * Math.log(1 / leftOut()));
+        double leftOut = 0.5 * WINDOW_SHARE * tolerance * DARKEST_AMPLITUDE;
+        double reach = Math.sqrt(2 * Math.log(1 / leftOut));
         return (int) Math.max(0, Math.ceil(sigmaBins * reach - 0.5));
     }
 

@@ -64,28 +64,23 @@ final class PlanChecks {
         }
     }
 
-    /** Refuses terms that, up to e^phase before they cancel, exceed float32's digits. */
-    static TaylorExpansion accurate(TaylorExpansion expansion, double tolerance) {
-        double reachable = Math.ulp(1f) * expansion.largestTerm(expansion.maximumPhase());
-        if (reachable > tolerance) {
-            throw taylor(expansion, Text.format("reaches only %.1g in float32", reachable));
+    /**
+     * Refuses terms whose squares overflow float32; or, unless the user chose their number, which may be inaccurate, terms that exceed
+     * float32's digits: they grow up to e^phase before they cancel.
+     */
+    static TaylorExpansion requireFloats(TaylorExpansion expansion, boolean chosen, double tolerance) {
+        double largest = expansion.largestTerm(expansion.maximumPhase());
+        double reachable = Math.ulp(1f) * largest;
+        if (chosen ? Math.pow(largest, 2) > Float.MAX_VALUE : reachable > tolerance) {
+            String problem = chosen
+                    ? Text.format("with %d terms leaves the range of float32", expansion.terms())
+                    : Text.format("reaches only %.1g in float32", reachable);
+            String relief = Text.format(
+                    " at this relief (%s, phases up to %.1f); use lowrank",
+                    Lengths.format(2 * expansion.scale().halfRange()), expansion.maximumPhase());
+            throw SettingException.of(EXPANSION, Expansion.Kind.TAYLOR, problem + relief);
         }
         return expansion;
-    }
-
-    /** Refuses squared terms that overflow float32. A given number of terms may be inaccurate. */
-    static TaylorExpansion withinFloatRange(TaylorExpansion expansion) {
-        if (Math.pow(expansion.largestTerm(expansion.maximumPhase()), 2) > Float.MAX_VALUE) {
-            throw taylor(expansion, Text.format("with %d terms leaves the range of float32", expansion.terms()));
-        }
-        return expansion;
-    }
-
-    private static SettingException taylor(TaylorExpansion expansion, String problem) {
-        String relief = Text.format(
-                " at this relief (%s, phases up to %.1f); use lowrank",
-                Lengths.format(2 * expansion.scale().halfRange()), expansion.maximumPhase());
-        return SettingException.of(EXPANSION, Expansion.Kind.TAYLOR, problem + relief);
     }
 
     /** Refuses plans beyond the limits of memory and of a shader's loop steps. */

@@ -102,9 +102,10 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             PlanChecks.requireExpandable(scale, maximum);
             return LowRankExpansion.of(heights, scale, minimum, maximum, tolerance, terms.orElse(Integer.MAX_VALUE));
         }
-        return terms.isPresent()
-                ? PlanChecks.withinFloatRange(new TaylorExpansion(scale, terms.get(), maximum))
-                : PlanChecks.accurate(TaylorExpansion.within(scale, maximum, tolerance), budget.tolerance());
+        TaylorExpansion taylor = terms.isPresent()
+                ? new TaylorExpansion(scale, terms.get(), maximum)
+                : TaylorExpansion.within(scale, maximum, tolerance);
+        return PlanChecks.requireFloats(taylor, terms.isPresent(), budget.tolerance());
     }
 
     private record Samplings(

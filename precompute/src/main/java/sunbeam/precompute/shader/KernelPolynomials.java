@@ -48,11 +48,11 @@ public record KernelPolynomials(double[][] coefficients) {
 
     private double largestError(DoubleUnaryOperator kernel) {
         double largest = 0;
-        for (int tap = 0; tap < taps(); tap++) {
+        for (int tap = 0; tap < coefficients.length; tap++) {
             for (int i = 0; i <= CHECKED_INTERVALS; i++) {
                 double x = 2.0 * i / CHECKED_INTERVALS - 1;
                 // The kernel may be discontinuous at its edge.
-                double exact = kernel.applyAsDouble(distance(taps(), tap, x * (1 - 1e-12)));
+                double exact = kernel.applyAsDouble(distance(coefficients.length, tap, x * (1 - 1e-12)));
                 largest = Math.max(largest, Math.abs(weight(tap, x) - exact));
             }
         }
@@ -65,10 +65,6 @@ public record KernelPolynomials(double[][] coefficients) {
             sum = sum * x + coefficients[tap][power];
         }
         return sum;
-    }
-
-    int taps() {
-        return coefficients.length;
     }
 
     int powers() {
@@ -85,7 +81,7 @@ public record KernelPolynomials(double[][] coefficients) {
             }
             weights.add(weight);
         }
-        tables.define("TAPS", taps()).define("KERNEL_AT_PLACE", weights);
+        tables.define("TAPS", coefficients.length).define("KERNEL_AT_PLACE", weights);
     }
 
     private static String literal(double coefficient) {
