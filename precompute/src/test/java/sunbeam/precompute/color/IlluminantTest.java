@@ -37,16 +37,11 @@ class IlluminantTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"D65", "D50", "A", "E"})
-    void daylightAndBulbsAreSmooth(String light) {
-        assertThat(Illuminant.of(light).isSmooth()).isTrue();
-    }
-
-    @Test
-    void fluorescentLampsAndLasersAreNot() {
-        assertThat(Illuminant.of("F11").isSmooth()).isFalse();
-        assertThat(Illuminant.of("D65").through(WavelengthBand.parse("532nm")).isSmooth())
-                .isFalse();
+    @CsvSource({"D65, true", "D50, true", "A, true", "E, true", "F11, false"})
+    void daylightAndBulbsAreSmoothUnlikeFluorescentLampsAndLasers(String name, boolean smooth) {
+        Illuminant light = Illuminant.of(name);
+        assertThat(light.isSmooth()).isEqualTo(smooth);
+        assertThat(light.through(WavelengthBand.parse("532nm")).isSmooth()).isFalse();
     }
 
     @Test
@@ -107,11 +102,9 @@ class IlluminantTest {
     private static final Chromaticity WHITE = Chromaticity.of(CIE.white());
 
     @Test
-    void whiteHasNoHue() {
+    void whiteAndBlackHaveNoHue() {
         assertThat(WHITE.hue(CIE).nanometers()).isNaN();
-        assertThat(Chromaticity.of(new double[3]).hue(CIE).nanometers())
-                .as("black")
-                .isNaN();
+        assertThat(Chromaticity.of(new double[3]).hue(CIE).nanometers()).isNaN();
     }
 
     @ParameterizedTest
@@ -129,20 +122,16 @@ class IlluminantTest {
 
     @Test
     void purplesHaveTheComplement() {
-        Chromaticity purple = new Chromaticity(0.35, 0.2);
-
-        Chromaticity.Hue hue = purple.hue(CIE);
-
+        Chromaticity.Hue hue = new Chromaticity(0.35, 0.2).hue(CIE);
         assertThat(hue.nanometers()).as("green, negative").isBetween(-570.0, -495.0);
         assertThat(hue.purity()).isBetween(0.3, 1.0);
     }
 
     /** CIE 15: sRGB's primaries have these dominant wavelengths against D65. */
-    @Test
-    void theScreensPrimariesHaveTheirKnownDominantWavelengths() {
-        assertThat(Chromaticity.of(Srgb.xyz(1, 0, 0)).hue(CIE).nanometers()).isCloseTo(611.4, within(0.5));
-        assertThat(Chromaticity.of(Srgb.xyz(0, 1, 0)).hue(CIE).nanometers()).isCloseTo(549.1, within(0.5));
-        assertThat(Chromaticity.of(Srgb.xyz(0, 0, 1)).hue(CIE).nanometers()).isCloseTo(464.2, within(0.5));
+    @ParameterizedTest
+    @CsvSource({"1, 0, 0, 611.4", "0, 1, 0, 549.1", "0, 0, 1, 464.2"})
+    void theScreensPrimariesHaveTheirKnownDominantWavelengths(double r, double g, double b, double nanometers) {
+        assertThat(Chromaticity.of(Srgb.xyz(r, g, b)).hue(CIE).nanometers()).isCloseTo(nanometers, within(0.5));
     }
 
     private static final double SIGMA_FREQUENCY = 9794;

@@ -5,12 +5,15 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.Test;
@@ -24,6 +27,7 @@ import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.Sampling.BinSampling;
 import sunbeam.precompute.plan.Sampling.OrderSampling;
 import sunbeam.precompute.setting.Choices;
@@ -37,11 +41,9 @@ class PlannerTest {
     private static final long MUCH_MEMORY = 64L << 30;
     private static final VisibleRange MAP = VisibleRange.of(new Direction(0, 0, 1));
     private static final CieTable CIE = CieTable.load();
-    private static final Request STANDARD =
-            new Request(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD);
-    private static final Request THESIS = new Request(TableChoices.THESIS, GaussianArea.THESIS);
-
-    private record Request(TableChoices table, GaussianArea area) {}
+    private static final Choices STANDARD = Choices.none();
+    private static final Choices THESIS = STANDARD.with(PRESET, Preset.THESIS);
+    private static final Choices TAYLOR = STANDARD.with(EXPANSION, Expansion.Kind.TAYLOR);
 
     @Test
     void theThesisStaysAsItIs() {
@@ -54,30 +56,29 @@ class PlannerTest {
                 .isEqualTo(81);
         assertThat(plan.expansion().terms()).isEqualTo(37);
         assertThat(plan.expansion().kind()).isEqualTo(Expansion.Kind.TAYLOR);
+        assertThat(plan.warnings()).isEmpty();
     }
 
     @Test
     void aWindowNeedsSamples() {
-        assertThatThrownBy(() -> plan(400e-9, request(120e-9)))
+        assertThatThrownBy(() -> plan(400e-9, STANDARD.with(COHERENCE_LENGTH, 120e-9)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContainingAll("coherence length 120 nm", "give 200 nm or more");
         // Samples so far apart show no structure.
         HeightMap wide = new HeightMap(16, 16, 78e-6, 78e-6, new double[256]);
-        assertThatThrownBy(() -> planner(wide).plan(STANDARD.table(), STANDARD.area(), MAP))
+        assertThatThrownBy(() -> plan(planner(wide), STANDARD, MAP))
                 .hasMessageContaining("check the scan's size and its unit");
     }
 
     @Test
     void taylorIsRefusedWhereItCancelsInFloat32() {
-        Optional<Expansion.Kind> taylor = Optional.of(Expansion.Kind.TAYLOR);
-
-        assertThat(plan(250e-9, request(taylor, 0, 65e-6, 0)).expansion().terms())
+        assertThat(plan(250e-9, TAYLOR).expansion().terms())
                 .as("16 for the blaze at 1e-3; here the share of the expansion is 2e-5")
                 .isBetween(16, 24);
-        assertThatThrownBy(() -> plan(2e-6, request(taylor, 0, 65e-6, 0)))
+        assertThatThrownBy(() -> plan(2e-6, TAYLOR))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContainingAll("taylor reaches only", "use lowrank");
-        assertThatThrownBy(() -> plan(5e-6, request(taylor, 37, 65e-6, 0)))
+        assertThatThrownBy(() -> plan(5e-6, TAYLOR.with(TERMS, 37)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("taylor with 37 terms leaves the range of float32");
     }
@@ -88,7 +89,7 @@ class PlannerTest {
         HeightMap map = Surfaces.random(1024, 1024, PITCH, 800e-9, 1);
         Planner planner = planner(map, heap);
 
-        assertThatThrownBy(() -> planner.plan(STANDARD.table(), STANDARD.area(), VisibleRange.all()))
+        assertThatThrownBy(() -> plan(planner, STANDARD, VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContainingAll(
                         "coherence length 65 um and",
@@ -97,22 +98,12 @@ class PlannerTest {
     }
 
     @Test
-    void aPlannedPlanBreaksNoPromise() {
-        for (double coherenceLength : new double[] {1e-6, 3.2e-6, 10e-6, 65e-6, 1e-3}) {
-            assertThat(warnings(request(coherenceLength)))
-                    .as("coherence length %s", coherenceLength)
-                    .isEmpty();
-        }
-        assertThat(warnings(THESIS)).isEmpty();
-    }
-
-    @Test
     void warningsNameBrokenTolerances() {
-        assertThat(warnings(request(Optional.empty(), 2, 3.2e-6, 0)))
+        assertThat(warnings(STANDARD.with(TERMS, 2)))
                 .singleElement()
                 .asString()
                 .contains("2 lowrank terms leave an error of", "more than the tolerance 0.001");
-        assertThat(warnings(request(Optional.empty(), 0, 65e-6, 5e-9)))
+        assertThat(warnings(STANDARD.with(WAVELENGTH_STEP, 5e-9)))
                 .singleElement()
                 .asString()
                 .contains("keep no tolerance; leave out wavelength step");
@@ -126,11 +117,14 @@ class PlannerTest {
                 "65e-6, 2e-5, colors on flanks of orders, 65 um",
                 "65e-6, 4e-5, ,",
                 "1e-3, 1e-4, colors on flanks of orders, 1 mm",
-                "1e-3, 1e-3, ,"
+                "1e-3, 1e-3, ,",
+                "65e-6, 1e-3, ,",
+                "10e-6, 1e-3, ,",
+                "3.2e-6, 1e-3, ,",
+                "1e-6, 1e-3, ,"
             })
     void tolerancesBeyondFloat32HaveAShortfall(double coherenceLength, double tolerance, String reason, String value) {
-        GaussianArea area = request(coherenceLength).area();
-        List<String> lines = warnings(new Request(TableChoices.within(tolerance), area));
+        List<String> lines = warnings(STANDARD.with(TOLERANCE, tolerance).with(COHERENCE_LENGTH, coherenceLength));
         if (reason == null) {
             assertThat(lines).isEmpty();
         } else {
@@ -148,12 +142,16 @@ class PlannerTest {
                 .hasValueSatisfying(line -> assertThat(line).contains("a texture of 2.9 GB", "1.6 GB"));
     }
 
-    private static SpectrumPlan plan(double relief, Request request) {
-        return planner(relief).plan(request.table(), request.area(), MAP);
+    private static SpectrumPlan plan(double relief, Choices choices) {
+        return plan(planner(relief), choices, MAP);
     }
 
-    private static List<String> warnings(Request request) {
-        return plan(400e-9, request).warnings().stream()
+    private static SpectrumPlan plan(Planner planner, Choices choices, VisibleRange range) {
+        return planner.plan(new TableChoices(choices), GaussianArea.of(choices), range);
+    }
+
+    private static List<String> warnings(Choices choices) {
+        return plan(400e-9, choices).warnings().stream()
                 .map(line -> line.in(Origin.PROGRAM))
                 .toList();
     }
@@ -174,14 +172,14 @@ class PlannerTest {
 
     @Test
     void moreStepsThanDriversTakeAreRefusedBeforeAnythingIsComputed() {
-        Request asked = request(Optional.empty(), 0, 1e-6, 0.05e-9);
+        Choices many = STANDARD.with(COHERENCE_LENGTH, 1e-6).with(WAVELENGTH_STEP, 0.05e-9);
 
-        assertThatThrownBy(() -> planner(400e-9).plan(asked.table(), asked.area(), VisibleRange.all()))
+        assertThatThrownBy(() -> plan(planner(400e-9), many, VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContainingAll("steps a pixel", "more than 60,000");
         // Shaders do not sum colors along rays.
         Planner ofTables = planner(400e-9).ofTables(Average.ENSEMBLE);
-        SpectrumPlan plan = ofTables.plan(asked.table(), asked.area().with(Average.ENSEMBLE), VisibleRange.all());
+        SpectrumPlan plan = plan(ofTables, many.with(AVERAGE, Average.ENSEMBLE), VisibleRange.all());
         assertThat(plan.sampling().loopSteps(plan)).isGreaterThan(PlanChecks.MOST_LOOP_STEPS);
         Planner ofShaders = planner(400e-9);
         assertThat(ofShaders.ofTables(Average.COHERENT)).isSameAs(ofShaders);
@@ -191,10 +189,7 @@ class PlannerTest {
     @CsvSource({"156e-6, 65e-6", "156e-6, 140e-6", "369e-6, 65e-6", "369e-6, 140e-6"})
     void aLineOfManySamplesIsSummedUnderLongWindowsToo(double width, double coherenceLength) {
         HeightMap line = Surfaces.random(8192, 1, width / 8192, 400e-9, 5);
-        GaussianArea area = GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(coherenceLength));
-
-        SpectrumPlan plan = planner(line).plan(STANDARD.table(), area, VisibleRange.all());
-
+        SpectrumPlan plan = plan(planner(line), STANDARD.with(COHERENCE_LENGTH, coherenceLength), VisibleRange.all());
         assertThat(plan.sampling()).isInstanceOf(OrderSampling.class);
     }
 
@@ -202,24 +197,9 @@ class PlannerTest {
     void reliefsBeyondAnyExpansionAreRefused() {
         HeightMap tall = Surfaces.random(32, 32, 1e-6, 100e-6, 5);
 
-        assertThatThrownBy(() -> planner(tall).plan(STANDARD.table(), GaussianArea.STANDARD, VisibleRange.all()))
+        assertThatThrownBy(() -> plan(planner(tall), STANDARD, VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("rad, more than 800; method reference");
-    }
-
-    private static Request request(double coherenceLength) {
-        return request(Optional.empty(), 0, coherenceLength, 0);
-    }
-
-    /** Zero or empty where the planner chooses. */
-    private static Request request(
-            Optional<Expansion.Kind> expansion, int terms, double coherenceLength, double wavelengthStep) {
-        Choices choices = Choices.none();
-        choices = expansion.isEmpty() ? choices : choices.with(EXPANSION, expansion.get());
-        choices = terms == 0 ? choices : choices.with(TERMS, terms);
-        choices = wavelengthStep == 0 ? choices : choices.with(WAVELENGTH_STEP, wavelengthStep);
-        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
-        return new Request(new TableChoices(choices), GaussianArea.STANDARD.with(window));
     }
 
     private static final int SIDE = 64;
