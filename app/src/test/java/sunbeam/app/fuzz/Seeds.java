@@ -84,12 +84,12 @@ final class Seeds {
                 .integers("first", -7, 9)
                 .array(TableArray.computed(layout, number -> new float[layout.floatsPerLayer()]))
                 .build(16e-6, 0.04);
-        return written(file -> ShaderTablesFile.write(file, KEY, TableLabel.NONE, tables));
+        return written(file -> ShaderTablesFile.write(file, KEY, new TableLabel("", ""), tables));
     }
 
     static CachedTiles pages(Path file) {
         CacheFolder folder = new CacheFolder(file.getParent(), "");
-        return TileFile.of(folder, file, KEY, NumberFormat.HALF, TableLabel.NONE, warning -> {});
+        return TileFile.of(folder, file, KEY, NumberFormat.HALF, new TableLabel("", ""), warning -> {});
     }
 
     static byte[] pages() throws IOException {

@@ -47,6 +47,10 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
             this.suffix = suffix;
         }
 
+        public String label() {
+            return label;
+        }
+
         /** Returns a color matching function at each nanometer from 380 to 780 nm; 0 for X, 1 for Y, 2 for Z. */
         private double[] matching(int channel) {
             return column("xyz".charAt(channel) + "_bar" + suffix);

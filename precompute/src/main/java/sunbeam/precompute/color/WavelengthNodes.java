@@ -1,6 +1,7 @@
 package sunbeam.precompute.color;
 
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -157,14 +158,11 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
                     add(middle + half * rule.getPoint(g), half * rule.getWeight(g) / cie.integralOfY());
                 }
             }
+            int last = weights.length - 1;
             double[] wavelengths = new double[weights.length];
-            double[][] ascending = new double[weights.length][];
-            for (int i = 0; i < weights.length; i++) {
-                int node = weights.length - 1 - i;
-                wavelengths[i] = wavelength(first + (node - BEFORE) * step);
-                ascending[i] = weights[node];
-            }
-            return new WavelengthNodes(wavelengths, ascending);
+            Arrays.setAll(wavelengths, i -> wavelength(first + (last - i - BEFORE) * step));
+            Collections.reverse(Arrays.asList(weights));
+            return new WavelengthNodes(wavelengths, weights);
         }
 
         /** The integrand has kinks at the table's wavelengths and at the nodes. */
@@ -173,9 +171,7 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
             DoubleStream table =
                     IntStream.rangeClosed(0, knots).mapToDouble(i -> CieTable.MINIMUM_WAVELENGTH + i * 1e-9);
             DoubleStream nodes = IntStream.range(1, intervals).mapToDouble(i -> wavelength(first + i * step));
-            double[] ends = DoubleStream.concat(table, nodes).toArray();
-            Arrays.sort(ends);
-            return ends;
+            return DoubleStream.concat(table, nodes).sorted().toArray();
         }
 
         private void add(double wavelength, double length) {

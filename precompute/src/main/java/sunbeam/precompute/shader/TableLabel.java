@@ -8,6 +8,4 @@ public record TableLabel(String patch, String what) {
     public static TableLabel of(String name, String digest, String what) {
         return new TableLabel(name + " " + digest.substring(0, Math.min(DIGITS, digest.length())), what);
     }
-
-    public static final TableLabel NONE = new TableLabel("", "");
 }

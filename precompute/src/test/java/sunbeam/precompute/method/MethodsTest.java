@@ -13,10 +13,7 @@ import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
 import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
 import java.util.List;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -160,29 +157,20 @@ class MethodsTest {
     private final AtomicInteger made = new AtomicInteger();
 
     @Test
-    void threadsThatNeedAValueAtOnceShareIt() throws Exception {
-        CountDownLatch begun = new CountDownLatch(1);
-        CountDownLatch goOn = new CountDownLatch(1);
+    void threadsThatNeedAValueAtOnceShareIt() {
+        CompletableFuture<Void> begun = new CompletableFuture<>();
+        CompletableFuture<Void> goOn = new CompletableFuture<>();
         Lazy<Integer> lazy = new Lazy<>(() -> {
-            begun.countDown();
-            try {
-                goOn.await();
-            } catch (InterruptedException interrupted) {
-                throw new IllegalStateException(interrupted);
-            }
+            begun.complete(null);
+            goOn.join();
             return made.incrementAndGet();
         });
-        ExecutorService threads = Executors.newFixedThreadPool(2);
-        try {
-            Future<Integer> first = threads.submit(lazy::get);
-            begun.await();
-            Future<Integer> second = threads.submit(lazy::get);
-            goOn.countDown();
-            assertThat(first.get()).isOne();
-            assertThat(second.get()).isOne();
-        } finally {
-            threads.shutdownNow();
-        }
+        CompletableFuture<Integer> first = CompletableFuture.supplyAsync(lazy::get);
+        begun.join();
+        CompletableFuture<Integer> second = CompletableFuture.supplyAsync(lazy::get);
+        goOn.complete(null);
+        assertThat(first.join()).isOne();
+        assertThat(second.join()).isOne();
     }
 
     @Test
