@@ -121,21 +121,17 @@ public final class PrecomputeCommand extends FileCommand {
         Path written = AtomicFile.writeFile(
                 file, overwrite(output), path -> TableFile.write(path, table, surface.name(), surface.digest()));
         PrintWriter out = out(file);
-        json.text(out)
-                .println(Text.format(
-                        "%d %s terms of %d x %d bins, %.1f MB, made in %.2f s",
-                        table.terms(),
-                        ValueKind.name(table.expansion().kind()),
-                        table.bandX().count(),
-                        table.bandY().count(),
-                        table.bytes() * 1e-6,
-                        seconds));
+        String kind = ValueKind.name(table.expansion().kind());
+        int columns = table.bandX().count();
+        int rows = table.bandY().count();
+        String size = Text.format("%.1f MB, made in %.2f s", table.bytes() * 1e-6, seconds);
+        json.text(out).println(table.terms() + " " + kind + " terms of " + columns + " x " + rows + " bins, " + size);
         Map<String, Object> report = new LinkedHashMap<>();
         report.put("patch", setup.patch().name());
-        report.put("kind", ValueKind.name(table.expansion().kind()));
+        report.put("kind", kind);
         report.put("terms", table.terms());
-        report.put("columns", table.bandX().count());
-        report.put("rows", table.bandY().count());
+        report.put("columns", columns);
+        report.put("rows", rows);
         report.put("bytes", table.bytes());
         report.put("making_s", seconds);
         json.print(out, report, List.of(written));

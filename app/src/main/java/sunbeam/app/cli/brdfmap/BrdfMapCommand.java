@@ -179,23 +179,21 @@ public final class BrdfMapCommand extends FileCommand {
         List<Map<String, Object>> fields =
                 json.isGiven() ? surfaces.stream().map(this::fields).toList() : List.of();
         Map<String, Object> report = new LinkedHashMap<>(Map.of("surfaces", fields));
-        Optional<Certificate> certificate;
-        ExitCode doubt;
-        Path written;
         try (RenderContext context = RenderContext.offscreen();
                 TevClient viewer = tev.connect(err).orElse(null)) {
             List<Result> maps =
                     materials.stream().map(one -> one.draw(context, size)).toList();
             maps.forEach(map -> methodOptions.printTrial(map.trial(), err));
-            LinearPicture first = maps.get(0).picture();
-            double factor = exposureRule.applyAsDouble(
-                    maps.stream().map(Result::picture).toList());
-            certificate = certify.count()
+            List<LinearPicture> pictures = maps.stream().map(Result::picture).toList();
+            LinearPicture first = pictures.get(0);
+            double factor = exposureRule.applyAsDouble(pictures);
+            Optional<Certificate> certificate = certify.count()
                     .map(count -> firstMap.certify(first, count, factor, asked.get(MethodSettings.TOLERANCE)));
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
             Optional<Patch> black = sheet.black();
             String name = "the map" + black.map(patch -> " of " + patch.name()).orElse("");
-            doubt = DoubtfulPicture.judge(sheet.patches(), black.isPresent(), name, exposure.isAutomatic(), err);
+            ExitCode doubt =
+                    DoubtfulPicture.judge(sheet.patches(), black.isPresent(), name, exposure.isAutomatic(), err);
             Map<String, String> text = sheet.text();
             String wide = asked.has(ANGULAR_DIAMETER) ? ", " + asked.written(ANGULAR_DIAMETER) + " wide" : "";
             text.put("Light", light.describe() + wide);
@@ -211,7 +209,7 @@ public final class BrdfMapCommand extends FileCommand {
             String exposed = Text.format("exposure %.4g", factor) + (exposure.isAutomatic() ? shared : "");
             Optional<String> other = Optional.of(index.describe(material)).filter(words -> !material.isStandard());
             BufferedImage image = annotate ? sheet.annotated(other, exposed, asked) : sheet.plain();
-            written = write(picture, image, text, first);
+            Path written = write(picture, image, text, first);
             List<Integer> thumbnail = List.of(0, 0, image.getWidth(), image.getWidth());
             fields.stream().limit(1).forEach(surface -> surface.put("thumbnail_px", thumbnail));
             report.put("exposure", factor);
@@ -220,13 +218,13 @@ public final class BrdfMapCommand extends FileCommand {
             if (viewer != null) {
                 maps.forEach(map -> show(map, viewer));
             }
+            json.print(out, report, files(written));
+            if (isPlain()) {
+                err.println("next: ./sunbeam view");
+            }
+            ExitCode certified = CertifyOption.judge(certificate, firstMap.plan(), choices, json.text(out), err);
+            return (certified == ExitCode.OK ? doubt : certified).code();
         }
-        json.print(out, report, files(written));
-        if (isPlain()) {
-            err.println("next: ./sunbeam view");
-        }
-        ExitCode certified = CertifyOption.judge(certificate, firstMap.plan(), choices, json.text(out), err);
-        return (certified == ExitCode.OK ? doubt : certified).code();
     }
 
     private List<Path> files(Path picture) {

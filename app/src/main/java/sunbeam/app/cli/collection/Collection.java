@@ -21,6 +21,7 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.app.cli.options.PatchOptions.TaskPart;
 import sunbeam.app.cli.options.Range;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.files.output.OutputFolder;
@@ -112,8 +113,7 @@ public final class Collection {
     public int run(PrintWriter out, PrintWriter err, ProgressDisplay display) {
         check();
         List<Item> all = items();
-        PatchOptions.TaskPart task =
-                PatchOptions.TaskPart.parse(value(PatchOptions.TASK).orElse("1/1"));
+        TaskPart task = TaskPart.parse(value(PatchOptions.TASK).orElse("1/1"));
         List<Item> items = all.subList((int) task.first(all.size()), (int) task.end(all.size()));
         UsageException.throwIf(
                 items.isEmpty(), PatchOptions.TASK + " of " + all.size() + " surfaces is empty; give fewer parts");
@@ -206,9 +206,8 @@ public final class Collection {
             return List.of(text);
         }
         try {
-            return Arrays.stream(Range.parse(text).values())
-                    .mapToObj(Decimals::format)
-                    .toList();
+            double[] angles = Range.parse(text).values();
+            return Arrays.stream(angles).mapToObj(Decimals::format).toList();
         } catch (TypeConversionException wrong) {
             throw new UsageException(THETA_I + ": " + wrong.getMessage());
         }
@@ -282,11 +281,10 @@ public final class Collection {
             JsonOption.print(out, report);
             return;
         }
-        out.println(rows.size()
-                + (rows.size() == 1 ? " surface: " : " surfaces: ")
-                + verdicts.entrySet().stream()
-                        .map(entry -> entry.getValue() + " " + entry.getKey())
-                        .collect(Collectors.joining(", ")));
+        String counts = verdicts.entrySet().stream()
+                .map(entry -> entry.getValue() + " " + entry.getKey())
+                .collect(Collectors.joining(", "));
+        out.println(rows.size() + (rows.size() == 1 ? " surface: " : " surfaces: ") + counts);
         written.forEach(file -> out.println(StandardOutput.name(file)));
     }
 }

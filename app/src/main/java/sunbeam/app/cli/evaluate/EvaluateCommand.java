@@ -189,11 +189,11 @@ public final class EvaluateCommand extends FileCommand {
         ShaderTables tables = setup.tables(plan, ShaderTables.MethodUse.SPECTRAL);
         double[] wavelengths = grid.wavelengths();
         double[][] power = new double[wavelengths.length][];
+        long count = (long) wavelengths.length * grid.angles().length;
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables uploaded = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = DirectionsRenderer.ofOnePower(context, uploaded);
-                Progress progress =
-                        setup.progress().start("Response", (long) wavelengths.length * grid.angles().length)) {
+                Progress progress = setup.progress().start("Response", count)) {
             for (int row = 0; row < wavelengths.length; row++) {
                 double wavelength = wavelengths[row];
                 List<Query> queries = grid.pairs().stream()

@@ -102,11 +102,8 @@ public final class GratingOptions extends SettingOptions {
 
     /** Returns the direction across the grating's lines, radians from +x; empty to derive it from the heights. */
     OptionalDouble azimuth() {
-        if (azimuth.equals(AUTO)) {
-            return OptionalDouble.empty();
-        }
         try {
-            return OptionalDouble.of(Angles.parse(azimuth));
+            return azimuth.equals(AUTO) ? OptionalDouble.empty() : OptionalDouble.of(Angles.parse(azimuth));
         } catch (IllegalArgumentException failure) {
             throw new UsageException("--azimuth: " + failure.getMessage() + ", or auto");
         }

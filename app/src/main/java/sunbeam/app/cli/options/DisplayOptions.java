@@ -3,7 +3,6 @@ package sunbeam.app.cli.options;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.input.PngText;
@@ -11,6 +10,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.DisplayTransform.Primaries;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.plan.MethodSettings.Preset;
@@ -48,8 +48,7 @@ public final class DisplayOptions {
         display(1, Choices.none());
         if (isAutomatic()) {
             int limit = isOfAll() ? Integer.MAX_VALUE : 1;
-            return pictures ->
-                    LinearPicture.exposure(pictures.stream().limit(limit).toArray(LinearPicture[]::new));
+            return list -> LinearPicture.exposure(list.stream().limit(limit).toArray(LinearPicture[]::new));
         }
         boolean isPicture = exposure.toLowerCase(Locale.ROOT).endsWith(".png");
         double value = isPicture ? recorded() : Decimals.parse(exposure).orElse(Double.NaN);
@@ -63,16 +62,16 @@ public final class DisplayOptions {
 
     /** Returns the transform to the screen; tone and primaries default to those of the method's preset. */
     public DisplayTransform display(double factor, Choices method) {
+        boolean isThesis = Preset.isThesis(method);
         return new DisplayTransform(
                 factor,
-                parsed("--tone", tone, TONES).orElse(Tone.of(Preset.isThesis(method))),
-                parsed("--primaries", primaries, SceneSettings.PRIMARIES.kind())
-                        .orElse(DisplayTransform.Primaries.of(Preset.isThesis(method))));
+                parsed("--tone", tone, TONES, Tone.of(isThesis)),
+                parsed("--primaries", primaries, SceneSettings.PRIMARIES.kind(), Primaries.of(isThesis)));
     }
 
-    private static <T> Optional<T> parsed(String option, String text, ValueKind<T> kind) {
+    private static <T> T parsed(String option, String text, ValueKind<T> kind, T standard) {
         try {
-            return Optional.ofNullable(text).map(kind::parse);
+            return text == null ? standard : kind.parse(text);
         } catch (IllegalArgumentException wrong) {
             throw new UsageException(option + " " + wrong.getMessage());
         }

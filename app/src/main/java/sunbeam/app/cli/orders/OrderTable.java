@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import sunbeam.app.cli.options.ReportFields;
@@ -102,12 +103,12 @@ record OrderTable(
                 middle.sum(), middle.between(), middle.mirror());
         List<String> lines = new ArrayList<>(List.of(verdict.sentence(), light + leaving));
         for (Series series : strongest(first.orders)) {
-            lines.add("  order " + series.order.in(lattice)
-                    + series.seen.stream()
-                            .filter(seen -> seen.light.equals(middle))
-                            .map(seen -> describe(seen) + ", color " + srgb(xyz(first, series)))
-                            .findFirst()
-                            .orElse(" beyond the horizon"));
+            Optional<Seen> visible = series.seen.stream()
+                    .filter(seen -> seen.light.equals(middle))
+                    .findFirst();
+            String words = visible.map(seen -> describe(seen) + ", color " + srgb(xyz(first, series)))
+                    .orElse(" beyond the horizon");
+            lines.add("  order " + series.order.in(lattice) + words);
         }
         List<String> hidden = first.orders.stream()
                 .filter(series -> series.seen.size() < first.lights.size())
