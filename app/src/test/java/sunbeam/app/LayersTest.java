@@ -14,20 +14,10 @@ import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
-import java.io.PrintStream;
-import java.io.PrintWriter;
-import java.text.DateFormat;
-import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
-import java.text.MessageFormat;
-import java.text.NumberFormat;
-import java.text.SimpleDateFormat;
-import java.time.format.DateTimeFormatter;
-import java.util.Formatter;
 import java.util.Locale;
-import java.util.Map;
-import java.util.Scanner;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** The layers of docs/architecture.md: app on top of precompute and jrtr, which do not know each other; and locales. */
 @AnalyzeClasses(
@@ -102,28 +92,19 @@ final class LayersTest {
         return describe("are not " + names, type -> !names.contains(type.getName()));
     }
 
-    private static final String CONSTRUCTOR = "<init>";
-
     // Digits and letters that programs read are the same in every country: each call that knows locales is told which.
     // The entry point alone sets the default, for libraries.
 
-    /** What follows the default unless it is told a locale, or symbols of one. */
-    private static final Map<Class<?>, Set<String>> FOLLOWERS = Map.ofEntries(
-            Map.entry(String.class, Set.of("format", "formatted", "toLowerCase", "toUpperCase")),
-            Map.entry(PrintStream.class, Set.of("format", "printf")),
-            Map.entry(PrintWriter.class, Set.of("format", "printf")),
-            Map.entry(Formatter.class, Set.of(CONSTRUCTOR)),
-            Map.entry(Scanner.class, Set.of(CONSTRUCTOR)),
-            Map.entry(DecimalFormat.class, Set.of(CONSTRUCTOR)),
-            Map.entry(DecimalFormatSymbols.class, Set.of(CONSTRUCTOR, "getInstance")),
-            Map.entry(SimpleDateFormat.class, Set.of(CONSTRUCTOR)),
-            Map.entry(MessageFormat.class, Set.of(CONSTRUCTOR, "format")),
-            Map.entry(
-                    NumberFormat.class,
-                    Set.of("getInstance", "getNumberInstance", "getIntegerInstance", "getPercentInstance")),
-            Map.entry(DateFormat.class, Set.of("getInstance", "getDateInstance", "getTimeInstance")),
-            Map.entry(DateTimeFormatter.class, Set.of("ofPattern", "ofLocalizedDate", "ofLocalizedDateTime")),
-            Map.entry(Locale.class, Set.of("getDefault")));
+    /** Methods that follow the default unless they are told a locale, or symbols of one. */
+    private static final Set<String> FOLLOWERS = Set.of(("String.format String.formatted String.toLowerCase"
+                    + " String.toUpperCase PrintStream.format PrintStream.printf PrintWriter.format PrintWriter.printf"
+                    + " Formatter.<init> Scanner.<init> DecimalFormat.<init> DecimalFormatSymbols.<init>"
+                    + " DecimalFormatSymbols.getInstance SimpleDateFormat.<init> MessageFormat.<init>"
+                    + " MessageFormat.format NumberFormat.getInstance NumberFormat.getNumberInstance"
+                    + " NumberFormat.getIntegerInstance NumberFormat.getPercentInstance DateFormat.getInstance"
+                    + " DateFormat.getDateInstance DateFormat.getTimeInstance DateTimeFormatter.ofPattern"
+                    + " DateTimeFormatter.ofLocalizedDate DateTimeFormatter.ofLocalizedDateTime Locale.getDefault")
+            .split(" "));
 
     @ArchTest
     static final ArchRule everyFormatIsToldItsLocale = noClasses()
@@ -138,12 +119,11 @@ final class LayersTest {
 
     private static boolean followsTheDefault(JavaAccess<?> access) {
         JavaClass owner = access.getTargetOwner();
-        String name = access.getTarget().getName();
+        String method = "." + access.getTarget().getName();
         return access.getTarget() instanceof CodeUnitAccessTarget target
                 && target.getRawParameterTypes().stream().noneMatch(LayersTest::tells)
-                && FOLLOWERS.entrySet().stream()
-                        .anyMatch(entry -> owner.isAssignableTo(entry.getKey())
-                                && entry.getValue().contains(name));
+                && Stream.concat(Stream.of(owner), owner.getAllRawSuperclasses().stream())
+                        .anyMatch(type -> FOLLOWERS.contains(type.getSimpleName() + method));
     }
 
     private static boolean tells(JavaClass parameter) {

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -27,15 +26,6 @@ class MeshCommandTest extends CommandLineFixture {
         }
         assertThat(err.toString()).isEmpty();
         assertThat(out.toString()).containsPattern("snake\\.obj: \\d+ vertices, \\d+ triangles");
-    }
-
-    @Test
-    void aFileIsNotOverwrittenWithoutForce() throws IOException {
-        Path file = Files.writeString(folder.resolve("x.obj"), "mine");
-        assertComplaint(ExitCode.OUTPUT_EXISTS, "mesh plane --output @x.obj", "x.obj");
-        assertThat(file).hasContent("mine");
-        assertSuccess(sunbeam("mesh plane --output @x.obj --force"));
-        assertThat(load("x.obj").mesh().triangles()).isPositive();
     }
 
     @Test

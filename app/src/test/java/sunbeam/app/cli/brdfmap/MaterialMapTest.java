@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
@@ -20,6 +21,7 @@ import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
@@ -69,12 +71,8 @@ class MaterialMapTest extends InAContext {
 
     private static double error(float[] map, double[] mean) {
         double brightest = Arrays.stream(mean).filter(Double::isFinite).max().orElseThrow();
-        double[] errors = IntStream.range(0, mean.length)
-                .filter(c -> mean[c] > 0.01 * brightest)
-                .mapToDouble(c -> Math.abs(map[c] / mean[c] - 1))
-                .sorted()
-                .toArray();
-        return errors[errors.length / 2];
+        IntStream lit = IntStream.range(0, mean.length).filter(c -> mean[c] > 0.01 * brightest);
+        return Quantiles.of(lit.mapToDouble(c -> Math.abs(map[c] / mean[c] - 1)).toArray(), 0.5);
     }
 
     private float[] draw(Choices choices, Direction light) {
@@ -92,11 +90,11 @@ class MaterialMapTest extends InAContext {
     private static Direction aside(double along, double across) {
         Direction middle = Direction.ofDegrees(THETA, PHI);
         Direction down = Direction.ofDegrees(THETA + 90, PHI);
-        double x = middle.x() + along * down.x() - across * Math.sin(Math.toRadians(PHI));
-        double y = middle.y() + along * down.y() + across * Math.cos(Math.toRadians(PHI));
-        double z = middle.z() + along * down.z();
-        double length = Math.sqrt(x * x + y * y + z * z);
-        return new Direction(x / length, y / length, z / length);
+        Vector3d place = new Vector3d(middle.x(), middle.y(), middle.z())
+                .fma(along, new Vector3d(down.x(), down.y(), down.z()))
+                .fma(across, new Vector3d(-Math.sin(Math.toRadians(PHI)), Math.cos(Math.toRadians(PHI)), 0))
+                .normalize();
+        return new Direction(place.x, place.y, place.z);
     }
 
     private static final Choices ASKED =
@@ -106,9 +104,7 @@ class MaterialMapTest extends InAContext {
     /** Returns a scan of 20 x 10 um. */
     private static Patch scan(Patch.Repetition repetition) {
         double[] heights = new double[32 * 16];
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] = 1e-8 * (i * i % 7);
-        }
+        Arrays.setAll(heights, i -> 1e-8 * (i * i % 7));
         HeightMap map = new HeightMap(32, 16, 20e-6 / 32, 10e-6 / 16, heights);
         return new Patch("scan", map, map, "made up", List.of(), List.of(), List.of(), List.of(), repetition);
     }

@@ -25,13 +25,11 @@ final class InspectCommandTest extends CommandLineFixture {
     }
 
     private void image(String name, int width, int height, int levels, long seed) throws IOException {
-        SplittableRandom random = new SplittableRandom(seed);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_BYTE_GRAY);
-        for (int y = 0; y < height; y++) {
-            for (int x = 0; x < width; x++) {
-                image.getRaster().setSample(x, y, 0, random.nextInt(levels));
-            }
-        }
+        int[] samples = new SplittableRandom(seed)
+                .ints((long) width * height, 0, levels)
+                .toArray();
+        image.getRaster().setPixels(0, 0, width, height, samples);
         ImageIO.write(image, "png", folder.resolve(name).toFile());
     }
 

@@ -26,12 +26,12 @@ class OrdersCommandTest extends CommandLineFixture {
     }
 
     private static JsonNode order(JsonNode incidence, int m) {
-        for (JsonNode order : incidence.get("orders")) {
-            if (order.get("m").asInt() == m) {
-                return order;
-            }
-        }
-        throw new AssertionError("no order " + m);
+        return incidence
+                .get("orders")
+                .valueStream()
+                .filter(order -> order.get("m").asInt() == m)
+                .findFirst()
+                .orElseThrow();
     }
 
     @Test

@@ -12,6 +12,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import java.util.zip.ZipFile;
 import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.BeforeEach;
@@ -93,11 +95,8 @@ class EnergyTest extends CommandLineFixture {
 
     @Test
     void colorsUnderOneLightAreDividedAtEachWavelength() throws IOException {
-        List<String> rows = new ArrayList<>();
-        for (int i = 1; i < 60; i++) {
-            rows.add("10,0," + (i * 1.4) + "," + (i % 2 == 0 ? 180 : 0));
-        }
-        list("theta_i,phi_i,theta_r,phi_r", rows);
+        Stream<String> rows = IntStream.range(1, 60).mapToObj(i -> "10,0," + (i * 1.4) + "," + (i % 2 == 0 ? 180 : 0));
+        list("theta_i,phi_i,theta_r,phi_r", rows.toList());
         assertSuccess(sunbeam(LIST + "scalar"));
         double[] scalar = column("Y");
         assertSuccess(sunbeam(LIST + "conserve --certify 30"));
@@ -123,11 +122,11 @@ class EnergyTest extends CommandLineFixture {
         EnergyDivisor divisor = new EnergyDivisor(probe.setup().patch().heights(), RefractiveIndex.KERATIN, WINDOW);
         ShaderTables tables = divisor.applyTo(
                 probe.setup().tables(plan, MethodUse.COLOR), probe.setup().cie());
-        List<Query> queries = new ArrayList<>();
-        for (int theta = 0; theta < 80; theta += 5) {
-            queries.add(new Query(
-                    new DirectionPair(Direction.ofDegrees(theta, 11.0 * theta), Direction.ofDegrees(20, 40)), 0));
-        }
+        Direction viewer = Direction.ofDegrees(20, 40);
+        List<Query> queries = IntStream.range(0, 16)
+                .mapToObj(i -> Direction.ofDegrees(5 * i, 55.0 * i))
+                .map(light -> new Query(new DirectionPair(light, viewer), 0))
+                .toList();
         List<float[]> results;
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);

@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine;
 import sunbeam.app.cli.options.MethodOptions;
@@ -16,6 +16,7 @@ import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.BrdfMapRenderer;
 import sunbeam.app.gpu.DirectionsRenderer;
+import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -49,12 +50,9 @@ final class MethodProbe {
 
     /** Returns views in the x-z plane from -x to +x, under light along the normal. */
     static List<DirectionPair> gratingPlane(int count) {
-        List<DirectionPair> pairs = new ArrayList<>();
-        for (int i = 0; i < count; i++) {
-            double sine = -0.97 + 1.94 * i / (count - 1);
-            pairs.add(inPlane(0, Math.toDegrees(Math.asin(sine))));
-        }
-        return pairs;
+        return IntStream.range(0, count)
+                .mapToObj(i -> inPlane(0, Math.toDegrees(Math.asin(-0.97 + 1.94 * i / (count - 1)))))
+                .toList();
     }
 
     MethodPlan plan(VisibleRange range, String options) {
@@ -69,30 +67,23 @@ final class MethodProbe {
     }
 
     List<float[]> colors(List<DirectionPair> pairs, String options) {
-        return evaluate(pairs, 0, MethodUse.COLOR, options);
+        return evaluate(pairs.stream().map(pair -> new Query(pair, 0)), MethodUse.COLOR, options);
     }
 
     /** Returns coherent power, ensemble power, rho and BRDF at one wavelength in meters. */
     List<float[]> powers(List<DirectionPair> pairs, double wavelength, String options) {
-        return evaluate(pairs, wavelength, MethodUse.SPECTRAL, options);
+        return evaluate(pairs.stream().map(pair -> new Query(pair, wavelength)), MethodUse.SPECTRAL, options);
     }
 
     /** Returns the same values for one pair at each whole nanometer from 380 to 780. */
     List<float[]> spectrum(DirectionPair pair, String options) {
-        List<DirectionsRenderer.Query> queries = IntStream.rangeClosed(380, 780)
-                .mapToObj(nanometers -> new DirectionsRenderer.Query(pair, nanometers * 1e-9))
-                .toList();
-        return evaluate(queries, List.of(pair), MethodUse.SPECTRAL, options);
+        IntStream nanometers = IntStream.rangeClosed(380, 780);
+        return evaluate(nanometers.mapToObj(nm -> new Query(pair, nm * 1e-9)), MethodUse.SPECTRAL, options);
     }
 
-    private List<float[]> evaluate(List<DirectionPair> pairs, double wavelength, MethodUse use, String options) {
-        List<DirectionsRenderer.Query> queries = new ArrayList<>();
-        pairs.forEach(pair -> queries.add(new DirectionsRenderer.Query(pair, wavelength)));
-        return evaluate(queries, pairs, use, options);
-    }
-
-    private List<float[]> evaluate(
-            List<DirectionsRenderer.Query> queries, List<DirectionPair> pairs, MethodUse use, String options) {
+    private List<float[]> evaluate(Stream<Query> stream, MethodUse use, String options) {
+        List<Query> queries = stream.toList();
+        List<DirectionPair> pairs = queries.stream().map(Query::pair).distinct().toList();
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = upload(context, plan(VisibleRange.of(pairs), options), use);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, use == MethodUse.SPECTRAL)) {

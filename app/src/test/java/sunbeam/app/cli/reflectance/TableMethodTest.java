@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -47,9 +48,11 @@ class TableMethodTest {
     }
 
     private static double error(float[] actual, float[] expected) {
-        double[] computed = {actual[0], actual[1], actual[2]};
-        double[] exact = {expected[0], expected[1], expected[2]};
-        return new Comparison(computed, exact, 1).relative();
+        return new Comparison(xyz(actual), xyz(expected), 1).relative();
+    }
+
+    private static double[] xyz(float[] color) {
+        return new double[] {color[0], color[1], color[2]};
     }
 
     @ParameterizedTest
@@ -63,8 +66,7 @@ class TableMethodTest {
         List<float[]> table = probe.colors(pairs, TABLE + ofAverage + tolerance);
         List<Double> errors = new ArrayList<>();
         for (int i = 0; i < pairs.size(); i++) {
-            if (Comparison.largest(new double[] {exact.get(i)[0], exact.get(i)[1], exact.get(i)[2]})
-                    > Comparison.FLOOR) {
+            if (Comparison.largest(xyz(exact.get(i))) > Comparison.FLOOR) {
                 errors.add(error(table.get(i), exact.get(i)));
             }
         }
@@ -73,12 +75,9 @@ class TableMethodTest {
     }
 
     private static void assertErrorsWithin(List<Double> errors, double tolerance) {
-        ErrorStatistics statistics = ErrorStatistics.of(array(errors));
+        ErrorStatistics statistics = ErrorStatistics.of(
+                errors.stream().mapToDouble(Double::doubleValue).toArray());
         assertThat(Limits.of(tolerance).hold(statistics)).as("%s", statistics).isTrue();
-    }
-
-    private static double[] array(List<Double> values) {
-        return values.stream().mapToDouble(Double::doubleValue).toArray();
     }
 
     @Test
@@ -107,39 +106,33 @@ class TableMethodTest {
 
     @Test
     void lightFromTheHorizonGivesNumbersEverywhere() {
-        MethodProbe probe = new MethodProbe(home, "--patch sinusoid");
-        List<DirectionPair> grazing = new ArrayList<>();
-        for (int i = 0; i <= 20; i++) {
-            grazing.add(new DirectionPair(Direction.ofDegrees(90, 0), Direction.ofDegrees(4.5 * i, 180)));
-        }
-        for (float[] xyz : probe.colors(grazing, TABLE + " --tolerance 1e-2")) {
-            assertThat(xyz[1]).isFinite().isNotNegative();
-        }
+        List<DirectionPair> grazing = IntStream.rangeClosed(0, 20)
+                .mapToObj(i -> MethodProbe.inPlane(90, -4.5 * i))
+                .toList();
+        assertThat(probe().colors(grazing, TABLE + " --tolerance 1e-2"))
+                .allMatch(xyz -> Float.isFinite(xyz[1]) && xyz[1] >= 0);
     }
 
     @Test
     void whatItHasNoAnswerForIsRefusedInOneLine() {
-        MethodProbe probe = new MethodProbe(home, "--patch blaze");
-        List<DirectionPair> pairs = directionsNearTheAxis(1);
-        assertThatThrownBy(() -> probe.powers(pairs, 500e-9, TABLE))
+        assertThatThrownBy(() -> probe().powers(directionsNearTheAxis(1), 500e-9, TABLE))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("column wavelength");
     }
 
     @Test
     void aTableThatHasNoRoomIsRefusedBeforeAnythingIsTakenForIt() {
-        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         VisibleRange map = VisibleRange.of(new Direction(0, 0, 1));
-        assertThatThrownBy(() -> probe.plan(map, "--method table --coherence-length 10mm"))
+        assertRefused(map, "10mm", "(?s).* layers, more than .*coarser --tolerance.*");
+        assertRefused(map, "600um", "(?s).*need a texture of [0-9.]+ GB, more than .*");
+        assertRefused(VisibleRange.all(), "10mm", "(?s).*texels along a side.*");
+    }
+
+    private void assertRefused(VisibleRange range, String coherenceLength, String message) {
+        MethodProbe probe = new MethodProbe(home, "--patch blaze");
+        assertThatThrownBy(() -> probe.plan(range, "--method table --coherence-length " + coherenceLength))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContainingAll(" layers, more than ", "coarser --tolerance");
-        assertThatThrownBy(() -> probe.plan(map, "--method table --coherence-length 600um"))
-                .isInstanceOf(SettingException.class)
-                .hasMessageMatching("(?s).*need a texture of [0-9.]+ GB, more than .*");
-        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method table --coherence-length 10mm"))
-                .as("on a mesh")
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("texels along a side");
+                .hasMessageMatching(message);
     }
 
     private static final double PERIOD = 2.5e-6;
@@ -168,10 +161,7 @@ class TableMethodTest {
 
         List<float[]> colors = probe.colors(pairs, options);
 
-        double brightest = 0;
-        for (float[] color : colors) {
-            brightest = Math.max(brightest, color[1]);
-        }
+        double brightest = colors.stream().mapToDouble(color -> color[1]).max().orElseThrow();
         for (int i = 0; i < colors.size(); i++) {
             double[] expected = exact.xyz(pairs.get(i), ExactLight.Quadrature.INTEGRATED);
             float[] rounded = {(float) expected[0], (float) expected[1], (float) expected[2]};

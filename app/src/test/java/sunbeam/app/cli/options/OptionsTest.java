@@ -2,8 +2,10 @@ package sunbeam.app.cli.options;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
-import java.util.Arrays;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -11,17 +13,20 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 import picocli.CommandLine.TypeConversionException;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.GemMethod;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.PqMethod;
+import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -30,8 +35,8 @@ import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 
-/** Parses methods, ranges and certificates from command lines. */
-class MethodOptionsTest {
+/** Parses methods, patches, ranges and certificates from command lines. */
+class OptionsTest extends CommandLineFixture {
     private static Choices parse(String options) {
         String[] words = options.isEmpty() ? new String[0] : options.split(" ", -1);
         return CommandLine.populateCommand(new MethodOptions(), words).choices();
@@ -121,15 +126,6 @@ class MethodOptionsTest {
     }
 
     @Test
-    void aSecondCommandLineForgetsTheFirst() {
-        CommandLine line = new CommandLine(new MethodOptions());
-        MethodOptions options = line.getCommand();
-        line.parseArgs("--terms", "5");
-        line.parseArgs();
-        assertThat(options.choices()).isEqualTo(Choices.none());
-    }
-
-    @Test
     void helpTellsWhatACommandChoosesItself() {
         MethodOptions options = MethodOptions.choosingAverage("ensemble");
         String help = new CommandLine(options).getUsageMessage().replaceAll("\\s+", " ");
@@ -163,11 +159,10 @@ class MethodOptionsTest {
     }
 
     private static MethodPlan plan(double tolerance) {
-        double[] heights = new double[32 * 32];
-        Arrays.setAll(heights, i -> i % 32 < 16 ? 0 : 100e-9);
-        HeightMap map = new HeightMap(32, 32, 100e-9, 100e-9, heights);
+        Patch lines =
+                CommandLine.populateCommand(new PatchOptions(), "lamellar").load(Choices.none());
         return new FullMethod(TableChoices.within(tolerance), GaussianArea.STANDARD, FresnelFactor.ONCE)
-                .plan(Surface.of(new Patch("lines", map, "made up", List.of())), VisibleRange.all());
+                .plan(Surface.of(lines), VisibleRange.all());
     }
 
     @Test
@@ -176,5 +171,51 @@ class MethodOptionsTest {
         assertThat(CertifyOption.remedy(Choices.none(), plan(1e-5)))
                 .startsWith("no finer --tolerance helps")
                 .contains("--method reference");
+    }
+
+    /** Writes a grating in text: 40 x 20 samples, 4 um wide, tilted by 39 nm. */
+    private Path scan() throws IOException {
+        return scan("scan.txt", "", 40, 20, (column, row) -> column + 20 * Math.sin(2 * Math.PI * column / 7.3));
+    }
+
+    private Patch load(Choices method) throws IOException {
+        String[] words = {"--patch", scan().toString(), "--width", "4um", "--height-unit", "nm"};
+        return CommandLine.populateCommand(new PatchOptions(), words).load(method);
+    }
+
+    @Test
+    void theThesisTakesAScanThatIsGivenDirectlyAsItIs() throws IOException {
+        Choices thesis = parse("--preset thesis");
+        Patch patch = load(thesis);
+        // Only the mean is removed, the edges are not blended, and the scan repeats over 65 um.
+        assertThat(patch.source()).contains("levelling mean").doesNotContain("blended");
+        assertThat(patch.heights().heights()).isEqualTo(patch.scan().heights());
+        assertThat(patch.heights().at(39, 0) - patch.heights().at(0, 0))
+                .isCloseTo(1e-9 * (39 + 20 * Math.sin(2 * Math.PI * 39 / 7.3)), within(1e-18));
+        assertThat(ScanLimit.of(thesis, patch).choices().get(MethodSettings.COHERENCE_LENGTH))
+                .isEqualTo(65e-6);
+    }
+
+    @Test
+    void otherwiseItIsLevelledBlendedAndSeenNoFartherThanItReaches() throws IOException {
+        Choices standard = Choices.none();
+        Patch patch = load(standard);
+        assertThat(patch.source()).contains("levelling plane", "edges blended");
+        assertThat(ScanLimit.of(standard, patch).choices().get(MethodSettings.COHERENCE_LENGTH))
+                .isEqualTo(patch.heights().width());
+    }
+
+    /** Three folders have a file of the same name. */
+    @Test
+    void surfacesOfOneNameAreToldApart() {
+        HeightMap heights = new HeightMap(2, 1, 1e-7, 1e-7, new double[] {0, 1e-8});
+        Patch first = new Patch("wing", heights, "a/wing.gsf", List.of());
+        Patch second = PatchOptions.Compared.distinct(first, List.of(first));
+        Patch third = PatchOptions.Compared.distinct(first, List.of(first, second));
+        assertThat(second.name()).isEqualTo("wing-2");
+        assertThat(second.notes()).anyMatch(note -> note.contains("another surface has the name wing"));
+        assertThat(third.name()).isEqualTo("wing-3");
+        assertThat(PatchOptions.Compared.distinct(third, List.of(first, second)))
+                .isSameAs(third);
     }
 }

@@ -7,7 +7,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,12 +20,16 @@ import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.reference.ExactLight.Quadrature;
+import sunbeam.precompute.reference.ExactLight.ReplicaLight;
 import sunbeam.precompute.setting.SettingException;
 
-/** Methods of one wavelength an order: nmm and gem. */
+/** Methods for periodic surfaces: nmm and gem, of one wavelength an order, and pq. */
 @NeedsDisplay
-class NmmMethodTest {
+class PeriodicMethodsTest {
     // Required by the design: the error of replacing an order's wavelengths by one.
     private static final double MEDIAN_ERROR = 0.01;
 
@@ -32,14 +39,11 @@ class NmmMethodTest {
     /** Returns sorted errors in the orders; between them there is too little light to compare. */
     private static List<Double> errors(List<float[]> actual, List<float[]> expected) {
         double brightest = expected.stream().mapToDouble(xyz -> xyz[1]).max().orElseThrow();
-        List<Double> errors = new ArrayList<>();
-        for (int i = 0; i < actual.size(); i++) {
-            if (expected.get(i)[1] > 1e-6 * brightest) {
-                errors.add(MethodProbe.relativeError(actual.get(i), expected.get(i)));
-            }
-        }
-        errors.sort(null);
-        return errors;
+        return IntStream.range(0, actual.size())
+                .filter(i -> expected.get(i)[1] > 1e-6 * brightest)
+                .mapToObj(i -> MethodProbe.relativeError(actual.get(i), expected.get(i)))
+                .sorted()
+                .toList();
     }
 
     @ParameterizedTest
@@ -81,10 +85,10 @@ class NmmMethodTest {
     @Test
     void theEnsembleOfAMeasuredLikePatchKeepsEachOrderApart() {
         MethodProbe probe = new MethodProbe(home, "--patch disc");
-        List<DirectionPair> directions = new ArrayList<>();
-        for (int i = 0; i < 60; i++) {
-            directions.add(new DirectionPair(Direction.ofDegrees(20, 0), Direction.ofDegrees(1.3 * i + 3, 47.0 * i)));
-        }
+        List<DirectionPair> directions = IntStream.range(0, 60)
+                .mapToObj(
+                        i -> new DirectionPair(Direction.ofDegrees(20, 0), Direction.ofDegrees(1.3 * i + 3, 47.0 * i)))
+                .toList();
         List<Double> errors = errors(
                 probe.colors(directions, "--method nmm --average ensemble"),
                 probe.colors(directions, "--average ensemble"));
@@ -108,13 +112,8 @@ class NmmMethodTest {
     }
 
     private static double blueness(List<float[]> colors) {
-        double y = 0;
-        double z = 0;
-        for (float[] xyz : colors) {
-            y += xyz[1];
-            z += xyz[2];
-        }
-        return z / y;
+        return colors.stream().mapToDouble(xyz -> xyz[2]).sum()
+                / colors.stream().mapToDouble(xyz -> xyz[1]).sum();
     }
 
     @Test
@@ -142,24 +141,12 @@ class NmmMethodTest {
     }
 
     @Test
-    void aPatchTooSmallForAnyOrderIsRefused() {
-        MethodProbe probe = new MethodProbe(home, "--patch blaze");
-        assertThat(probe.plan(VisibleRange.all(), "--method nmm").summary()).contains("nmm");
-        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method reference"))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContainingAll("--method reference", "reflectance");
-    }
-
-    @Test
     void colorsFollowTheGratingEquation() {
         MethodProbe probe = new MethodProbe(home, "--patch blaze");
         // Spacing 1 um: the first order of 460 nm, 560 nm and 680 nm, and the dark between the orders.
-        List<DirectionPair> directions = List.of(
-                MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.46))),
-                MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.58))),
-                MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.68))),
-                MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.30))),
-                MethodProbe.inPlane(0, 0));
+        List<DirectionPair> directions = DoubleStream.of(0.46, 0.58, 0.68, 0.30, 0)
+                .mapToObj(sine -> MethodProbe.inPlane(0, Math.toDegrees(Math.asin(sine))))
+                .toList();
         List<float[]> xyz = probe.colors(directions, "--method gem --spacing 1um");
         assertThat(xyz.get(0)[2]).isGreaterThan(2 * xyz.get(0)[0]);
         assertThat(xyz.get(1)[1]).isGreaterThan(xyz.get(1)[0]).isGreaterThan(xyz.get(1)[2]);
@@ -206,5 +193,109 @@ class NmmMethodTest {
                         .summary())
                 .contains("1.6 um")
                 .contains("for comparison only");
+    }
+
+    private static final double WAVELENGTH = 500e-9;
+    private static final double PERIOD = 2.5e-6;
+
+    private MethodProbe blaze;
+
+    @BeforeEach
+    void loadPatch() {
+        blaze = new MethodProbe(home, "--patch blaze");
+    }
+
+    private ExactLight exact(int replicas) {
+        Replicas square = new Replicas(replicas, replicas);
+        return new ReplicaLight(
+                blaze.setup().patch().heights(), square, blaze.setup().cie());
+    }
+
+    /** Returns light along the normal and the view in the order's direction. */
+    private static DirectionPair order(int n) {
+        return MethodProbe.inPlane(0, -Math.toDegrees(Math.asin(n * WAVELENGTH / PERIOD)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"sinc", "linear"})
+    void ordersAreExactWithEitherInterpolation(String interpolation) {
+        List<DirectionPair> orders = IntStream.rangeClosed(-4, 4)
+                .mapToObj(PeriodicMethodsTest::order)
+                .toList();
+        String options = "--method pq --expansion lowrank --terms 24 --interpolation " + interpolation;
+        List<float[]> powers = blaze.powers(orders, WAVELENGTH, options);
+        for (int i = 0; i < orders.size(); i++) {
+            // Amplitudes of up to 1, in float32: 49 taps of 24 terms round by 7e-7. w T = 2 pi m is hit within float32.
+            assertThat(Math.sqrt(powers.get(i)[0]))
+                    .isCloseTo(Math.sqrt(exact(26).power(orders.get(i), WAVELENGTH)), within(1e-6));
+        }
+    }
+
+    @Test
+    void sincIsExactBetweenOrders() {
+        SplittableRandom random = new SplittableRandom(11);
+        List<DirectionPair> directions = new ArrayList<>();
+        for (int i = 0; i < 200; i++) {
+            directions.add(new DirectionPair(
+                    Direction.ofDegrees(60 * random.nextDouble(), 360 * random.nextDouble()),
+                    Direction.ofDegrees(80 * random.nextDouble(), 360 * random.nextDouble())));
+        }
+        List<float[]> powers = blaze.powers(directions, WAVELENGTH, "--method pq --replicas 1 --tolerance 1e-5");
+        for (int i = 0; i < directions.size(); i++) {
+            double expected = exact(1).power(directions.get(i), WAVELENGTH);
+            // Amplitudes err by 1e-7 (interpolation), 2e-6 (expansion) and 1e-6 (float32 frequencies of up to 10 bins
+            // on slopes of up to 1 a bin), and the power by twice the amplitude times that.
+            assertThat((double) powers.get(i)[0]).isCloseTo(expected, within(1e-5 * Math.sqrt(expected) + 1e-9));
+        }
+    }
+
+    @Test
+    void colorAgreesWithTheExactSum() {
+        ExactLight light = exact(26);
+        List<DirectionPair> directions =
+                List.of(MethodProbe.inPlane(0, -12), MethodProbe.inPlane(10, -31), MethodProbe.inPlane(0, 25));
+        List<float[]> colors = blaze.colors(directions, "--method pq");
+        for (int i = 0; i < directions.size(); i++) {
+            double[] xyz = light.xyz(directions.get(i), Quadrature.EXACT);
+            // One wavelength per cycle of the power; the expansion has its default tolerance.
+            assertThat(MethodProbe.relativeError(
+                            colors.get(i), new float[] {(float) xyz[0], (float) xyz[1], (float) xyz[2]}))
+                    .isLessThan(5e-3);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"sinc", "linear"})
+    void theArrayFactorHasItsLimitInTheMiddleOfAMap(String interpolation) {
+        // The middle pixel is exactly u = v = 0, where both sines of the array factor vanish.
+        blaze.assertMapHasColors("--method pq --interpolation " + interpolation);
+    }
+
+    @Test
+    void aSpecularFlatPartReflectsAllWithTheEqualAreaBrdf() {
+        // rho of power 1 at normal incidence is 1; brdf = R0 4 pi sigma^2 / lambda^2 with 4 pi sigma^2 the lit area.
+        float[] values = blaze.powers(List.of(MethodProbe.inPlane(0, 0)), WAVELENGTH, "--method pq")
+                .get(0);
+        double area = Math.pow(26 * PERIOD, 2);
+        double r0 = 0.04;
+        assertThat(values[3] / values[0] * WAVELENGTH * WAVELENGTH / (r0 * area))
+                .isCloseTo(1.0, within(1e-4));
+        assertThat(values[2]).isCloseTo(values[0], within(1e-6f));
+    }
+
+    /** Rho is relative to a mirror's R(0): squared, rho has (R / R(0))^2 and the BRDF R^2 / R(0). */
+    @Test
+    void theBrdfIsTheSameMultipleOfRhoForBothFormsOfFresnel() {
+        // At 60 degrees R is 1.75 R(0).
+        List<DirectionPair> pairs =
+                List.of(MethodProbe.inPlane(0, 0), MethodProbe.inPlane(30, 30), MethodProbe.inPlane(60, -60));
+        List<float[]> once = blaze.powers(pairs, WAVELENGTH, "--method pq --fresnel once");
+        List<float[]> squared = blaze.powers(pairs, WAVELENGTH, "--method pq --fresnel squared");
+        for (int i = 0; i < pairs.size(); i++) {
+            double expected = once.get(i)[3] / once.get(i)[2];
+            // Rounding of float32.
+            assertThat(squared.get(i)[3] / squared.get(i)[2] / expected).isCloseTo(1, within(1e-6));
+        }
+        assertThat(squared.get(2)[2] / once.get(2)[2]).isGreaterThan(1.7f);
     }
 }
