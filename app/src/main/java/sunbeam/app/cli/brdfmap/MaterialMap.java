@@ -1,6 +1,7 @@
 package sunbeam.app.cli.brdfmap;
 
 import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.colortable.ColorTable.MIDDLE_WAVELENGTH;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
@@ -57,7 +58,6 @@ final class MaterialMap {
     private final Method method;
     private final RefractiveIndex index;
     private final Direction light;
-    private final double turn;
     private final List<Part> parts;
 
     private record Point(Direction towards, double share, Choices choices) {}
@@ -82,7 +82,6 @@ final class MaterialMap {
         this.method = Methods.of(choices);
         this.index = index;
         this.light = light;
-        this.turn = choices.get(SceneSettings.ROTATE_PATCH);
         Optional<EnergyDivisor> divisor = choices.get(SceneSettings.ENERGY, Energy.SCALAR)
                 .divisor(setup.patch().heights(), index, choices);
         List<ReflectionPart> reflections = ReflectionPart.of(index, setup.cie());
@@ -92,7 +91,7 @@ final class MaterialMap {
     }
 
     private Part part(Point point, ReflectionPart reflection, Optional<EnergyDivisor> divisor) {
-        Direction inPatch = point.towards.turned(-turn);
+        Direction inPatch = point.towards.turned(-choices.get(ROTATE_PATCH));
         CieTable cie =
                 divisor.map(found -> found.under(inPatch, reflection.cie())).orElse(reflection.cie());
         MethodPlan plan = Methods.of(point.choices).plan(setup.surface().withLight(cie), VisibleRange.of(inPatch));
@@ -136,10 +135,6 @@ final class MaterialMap {
                 .map(point -> new Point(new Direction(point.x(), point.y(), point.z()), share, shorter));
     }
 
-    Method method() {
-        return method;
-    }
-
     MethodPlan plan() {
         return parts.get(0).plan;
     }
@@ -150,7 +145,7 @@ final class MaterialMap {
         Part part = parts.get(0);
         return new Certificate.Certifier(
                         setup.withLight(part.cie).exact(method),
-                        pixel -> directions.at(pixel).turned(-turn),
+                        pixel -> directions.at(pixel).turned(-choices.get(ROTATE_PATCH)),
                         part.reflection::overStandard,
                         setup.progress())
                 .certify(picture, count, exposure, tolerance);
@@ -166,7 +161,7 @@ final class MaterialMap {
             ShaderTables made = setup.tables(part.plan, ShaderTables.MethodUse.COLOR);
             trials.add(made.trial());
             try (UploadedTables tables = UploadedTables.upload(context, made);
-                    BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, turn);
+                    BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, choices.get(ROTATE_PATCH));
                     Progress progress = setup.progress().start(label, (long) size * size)) {
                 add(renderer.render(part.point.towards, progress::step), part, sum);
                 sigma = tables.windowSigma();

@@ -118,8 +118,8 @@ public final class Collection {
         UsageException.throwIf(
                 items.isEmpty(), PatchOptions.TASK + " of " + all.size() + " surfaces is empty; give fewer parts");
         boolean resumes = parsed.hasMatchedOption("--resume");
-        Overwrite overwrite = resumes || parsed.hasMatchedOption("--force") ? Overwrite.REPLACE : Overwrite.REFUSE;
-        CollectionFolder folder = CollectionFolder.open(folder(overwrite), task, overwrite, resumes);
+        Overwrite overwrite = replaces() ? Overwrite.REPLACE : Overwrite.REFUSE;
+        CollectionFolder folder = CollectionFolder.open(folder(), task, overwrite, resumes);
         List<ObjectNode> rows = new ArrayList<>();
         String kept = "interrupted; what is finished is kept, add --resume to go on";
         ShutdownHook hook = new ShutdownHook(() -> err.println(Messages.error(kept)));
@@ -243,21 +243,25 @@ public final class Collection {
         return parsed.commandSpec().name();
     }
 
-    private Path folder(Overwrite overwrite) {
+    private boolean replaces() {
+        return parsed.hasMatchedOption("--resume") || parsed.hasMatchedOption("--force");
+    }
+
+    private Path folder() {
         Optional<Path> named = value(OUTPUT).map(Path::of);
         String names = names().stream()
                 .map(name -> FileNames.stem(Path.of(name).toAbsolutePath().normalize()))
                 .limit(NAMES_OF_FOLDER)
                 .collect(Collectors.joining("-"));
-        boolean shared = overwrite == Overwrite.REPLACE || parsed.hasMatchedOption(PatchOptions.TASK);
-        return OutputFolder.claim(named.orElse(Path.of(command() + "-" + names)), named.isPresent() || shared);
+        boolean mayExist = named.isPresent() || replaces() || parsed.hasMatchedOption(PatchOptions.TASK);
+        return OutputFolder.claim(named.orElse(Path.of(command() + "-" + names)), mayExist);
     }
 
     private Outcome run(Item item, CollectionFolder folder) {
         List<String> words = new ArrayList<>(List.of(command(), "--json"));
         words.addAll(item.options());
         words.add(OUTPUT + "=" + folder.picture(item.stem()));
-        if (folder.replaces()) {
+        if (replaces()) {
             words.add("--force");
         }
         return runner.apply(words);

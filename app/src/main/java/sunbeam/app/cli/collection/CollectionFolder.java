@@ -83,10 +83,6 @@ final class CollectionFolder {
         return folder.resolve("surfaces").resolve(stem + ".png");
     }
 
-    boolean replaces() {
-        return overwrite == Overwrite.REPLACE;
-    }
-
     private void readEarlier() {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, REPORTS + "*.jsonl")) {
             for (Path file : files) {
