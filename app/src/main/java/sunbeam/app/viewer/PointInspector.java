@@ -14,6 +14,7 @@ import org.joml.Vector3fc;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.components.PickPanel;
+import sunbeam.app.viewer.components.PickPanel.Readout;
 import sunbeam.app.viewer.components.PictureView;
 import sunbeam.app.viewer.components.SkinPoint;
 import sunbeam.app.viewer.components.SpectrumPlot;
@@ -28,17 +29,19 @@ public final class PointInspector {
     private final Viewer viewer;
     private final PictureView picture;
     private final PickPanel panel;
-    // At most {@link PickPanel#MOST}, in the panel's order.
+    // At most one for each of the panel's readouts, in their order.
     private final List<Inspected> picks = new ArrayList<>();
 
     private static final class Inspected {
+        private final Readout readout;
         private SkinPoint point;
         // Inputs (see spectrumInputs()) of the spectrum requested last and of the displayed one; empty for none.
         private volatile List<Object> requestedInputs = List.of();
         private List<Object> displayedInputs = List.of();
 
-        Inspected(SkinPoint point) {
+        Inspected(SkinPoint point, Readout readout) {
             this.point = point;
+            this.readout = readout;
         }
     }
 
@@ -74,7 +77,7 @@ public final class PointInspector {
     public void pick(int x, int y, boolean isBeside) {
         locate(x, y, located -> {
             keepFirst(isBeside ? Math.min(1, picks.size()) : 0);
-            located.map(Inspected::new).ifPresent(picks::add);
+            located.ifPresent(point -> picks.add(new Inspected(point, panel.readouts.get(picks.size()))));
             viewer.presenter.show();
             measure();
         });
@@ -83,9 +86,7 @@ public final class PointInspector {
     private void keepFirst(int count) {
         stop();
         picks.subList(count, picks.size()).clear();
-        for (int i = count; i < PickPanel.MOST; i++) {
-            panel.clear(i);
-        }
+        panel.readouts.subList(count, panel.readouts.size()).forEach(Readout::clear);
         mark();
     }
 
@@ -101,23 +102,21 @@ public final class PointInspector {
             keepFirst(0);
             return;
         }
-        for (int i = 0; i < picks.size(); i++) {
-            Inspected pick = picks.get(i);
+        for (Inspected pick : picks) {
             pick.point = pick.point.in(scene);
             List<Object> inputs = spectrumInputs(pick.point, scene);
             if (!inputs.equals(pick.requestedInputs)) {
                 pick.requestedInputs = List.of(); // discards the running computation
-                panel.plot().await(i, false);
+                pick.readout.curve.await(false);
             }
-            panel.outdate(i, !inputs.equals(pick.displayedInputs));
+            pick.readout.outdate(!inputs.equals(pick.displayedInputs));
         }
         mark();
     }
 
     public void showAngles(Vector3fc towards) {
-        for (int i = 0; i < picks.size(); i++) {
-            SkinPoint found = picks.get(i).point;
-            panel.show(i, found.describe(towards, picture.pictureWidth(), picture.pictureHeight()));
+        for (Inspected pick : picks) {
+            pick.readout.show(pick.point.describe(towards, picture.pictureWidth(), picture.pictureHeight()));
         }
     }
 
@@ -127,24 +126,20 @@ public final class PointInspector {
 
     /** Shows the points' colors in the final picture and requests their spectra for the scene's light. */
     public void measure() {
-        viewer.model.loaded().ifPresent(loaded -> {
-            for (int i = 0; i < picks.size(); i++) {
-                measure(i, picks.get(i), loaded);
-            }
-        });
+        viewer.model.loaded().ifPresent(loaded -> picks.forEach(pick -> measure(pick, loaded)));
     }
 
-    private void measure(int index, Inspected pick, LoadedScene loaded) {
+    private void measure(Inspected pick, LoadedScene loaded) {
         SkinPoint measured = pick.point;
         SceneData data = loaded.ofRegion(measured.pick().region()).get(0);
         Point pixel = measured.pixel(picture.pictureWidth(), picture.pictureHeight());
-        picture.color(pixel.x, pixel.y).ifPresent(color -> panel.showColor(index, color));
+        picture.color(pixel.x, pixel.y).ifPresent(color -> pick.readout.showColor(color));
         List<Object> inputs = spectrumInputs(measured, data.scene());
         if (inputs.equals(pick.requestedInputs)) {
             return;
         }
         pick.requestedInputs = inputs;
-        panel.plot().await(index, true);
+        pick.readout.curve.await(true);
         Direction wi = measured.light(data.scene().light().towards());
         Direction wr = measured.pick().wr();
         viewer.measuring.run(
@@ -154,12 +149,12 @@ public final class PointInspector {
                 powers -> {
                     if (inputs.equals(pick.requestedInputs)) {
                         pick.displayedInputs = inputs;
-                        panel.plot().show(index, powers);
+                        pick.readout.curve.show(powers);
                     }
                 },
                 problem -> {
                     if (inputs.equals(pick.requestedInputs)) {
-                        panel.plot().await(index, false);
+                        pick.readout.curve.await(false);
                     }
                     viewer.window.status.message(problem);
                 });

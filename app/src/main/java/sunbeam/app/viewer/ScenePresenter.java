@@ -16,8 +16,7 @@ import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.model.ViewerModel;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
-@SuppressWarnings(
-        "ReferenceEquality") // compares requests by identity, and parts, which keep their objects if unchanged
+@SuppressWarnings("ReferenceEquality") // compares requests and parts by identity
 public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Listener {
     public enum Overlay {
         CONE,

@@ -19,8 +19,7 @@ import sunbeam.precompute.text.Text;
  * Presenter of the split view. When the scene's own picture is final, it requests the comparison method's picture with the same exposure; a
  * newer state ends that request. Used on the event thread only.
  */
-@SuppressWarnings(
-        "ReferenceEquality") // compares requests by identity, and parts, which keep their objects if unchanged
+@SuppressWarnings("ReferenceEquality") // compares requests and parts by identity
 final class SplitViewPresenter {
     private final Viewer viewer;
     private final ViewerWindow window;

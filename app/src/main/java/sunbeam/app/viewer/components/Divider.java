@@ -13,50 +13,46 @@ public final class Divider {
     private static final Color DARK = new Color(0, 0, 0, 170);
 
     private final Runnable repaint;
-    private boolean isShown;
-    private boolean isFinal;
-    private BufferedImage picture;
-    private String ownLabel = "";
-    private String otherLabel = "";
+    private Comparison shown;
     private double share = 0.5;
     private boolean isWhole;
+
+    /** @param picture picture by the comparison method; null before its first */
+    private record Comparison(BufferedImage picture, String ownLabel, String otherLabel, boolean isFinal) {}
 
     Divider(Runnable repaint) {
         this.repaint = repaint;
     }
 
     /** Shows a picture by the comparison method, or none yet (null). */
-    public void show(BufferedImage image, String ownText, String otherText, boolean complete) {
-        isShown = true;
-        isFinal = complete;
-        picture = image;
-        ownLabel = ownText;
-        otherLabel = otherText;
+    public void show(BufferedImage image, String ownLabel, String otherLabel, boolean isFinal) {
+        show(new Comparison(image, ownLabel, otherLabel, isFinal));
+    }
+
+    private void show(Comparison value) {
+        shown = value;
         repaint.run();
     }
 
-    public void showTile(BufferedImage tile, int x, int y, String otherText) {
-        if (picture != null) {
-            picture.getRaster().setDataElements(x, y, tile.getRaster());
-            show(picture, ownLabel, otherText, false);
+    public void showTile(BufferedImage tile, int x, int y, String otherLabel) {
+        if (shown != null && shown.picture != null) {
+            shown.picture.getRaster().setDataElements(x, y, tile.getRaster());
+            show(shown.picture, shown.ownLabel, otherLabel, false);
         }
     }
 
     public void hide() {
-        if (isShown) {
-            isShown = false;
-            isFinal = false;
-            picture = null;
-            repaint.run();
+        if (shown != null) {
+            show(null);
         }
     }
 
     public boolean isShown() {
-        return isShown;
+        return shown != null;
     }
 
     public boolean isFinal() {
-        return isFinal;
+        return shown != null && shown.isFinal;
     }
 
     /** Sets whether the comparison method has the whole picture, or what is right of the line. */
@@ -78,18 +74,18 @@ public final class Divider {
     }
 
     public boolean isAt(int x, int width) {
-        return isShown && Math.abs(x - share * width) <= REACH;
+        return shown != null && Math.abs(x - share * width) <= REACH;
     }
 
     void paint(Graphics2D graphics, int width, int height) {
-        if (!isShown) {
+        if (shown == null) {
             return;
         }
         int x = isWhole ? 0 : (int) Math.round(share * width);
-        if (picture != null) {
+        if (shown.picture != null) {
             Graphics2D right = (Graphics2D) graphics.create();
             right.clipRect(x, 0, width - x, height);
-            right.drawImage(picture, 0, 0, width, height, null);
+            right.drawImage(shown.picture, 0, 0, width, height, null);
             right.dispose();
         }
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
@@ -99,9 +95,9 @@ public final class Divider {
             graphics.setColor(Color.WHITE);
             graphics.fillRect(x, 0, 1, height);
             graphics.fillRect(x - 2, height / 2 - 2 * REACH, 5, 4 * REACH);
-            label(graphics, ownLabel, x - 2 * MARGIN - graphics.getFontMetrics().stringWidth(ownLabel), MARGIN);
+            label(graphics, shown.ownLabel, x - 2 * MARGIN - graphics.getFontMetrics().stringWidth(shown.ownLabel), MARGIN);
         }
-        label(graphics, otherLabel, x + 2 * MARGIN, MARGIN);
+        label(graphics, shown.otherLabel, x + 2 * MARGIN, MARGIN);
     }
 
     /** Paints a line of text on a dark strip whose top is at {@code y}. */

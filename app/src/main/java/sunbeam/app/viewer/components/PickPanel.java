@@ -19,12 +19,13 @@ import sunbeam.precompute.text.Text;
 
 /** Panel with frames, angles, colors and spectra of the picked points and their color difference. */
 public final class PickPanel extends JPanel {
-    public static final int MOST = 2;
-
-    private final transient List<Readout> readouts = List.of(
-            new Readout("Double-click the skin to see its\nframe, angles, color and spectrum."), new Readout(""));
-    private final JLabel difference = new JLabel(" ");
     private final SpectrumPlot plot = new SpectrumPlot();
+    /** One for each point that can be picked. */
+    public final transient List<Readout> readouts = List.of(
+            new Readout("Double-click the skin to see its\nframe, angles, color and spectrum.", plot.curves.get(0)),
+            new Readout("", plot.curves.get(1)));
+
+    private final JLabel difference = new JLabel(" ");
 
     public PickPanel() {
         setLayout(new BoxLayout(this, BoxLayout.Y_AXIS));
@@ -44,15 +45,6 @@ public final class PickPanel extends JPanel {
         }
     }
 
-    public void show(int point, String description) {
-        readouts.get(point).show(description);
-    }
-
-    public void showColor(int point, int rgb) {
-        readouts.get(point).showColor(rgb);
-        showDifference();
-    }
-
     private void showDifference() {
         Optional<CieLab> first = readouts.get(0).lab();
         Optional<CieLab> second = readouts.get(1).lab();
@@ -66,33 +58,18 @@ public final class PickPanel extends JPanel {
         return (points + (difference.getText() + "\n").stripLeading() + plot.numbers()).strip() + "\n";
     }
 
-    public SpectrumPlot plot() {
-        return plot;
-    }
-
-    /** Removes a point's color until the next final picture, and dims an old spectrum. */
-    public void outdate(int point, boolean isSpectrumOld) {
-        readouts.get(point).outdate();
-        showDifference();
-        plot.setOld(point, isSpectrumOld);
-    }
-
-    public void clear(int point) {
-        readouts.get(point).clear();
-        showDifference();
-        plot.show(point, new double[0]);
-    }
-
-    /** Text of one picked point: frame, angles and color. */
-    private static final class Readout {
+    /** Numbers of one picked point: frame, angles, color and spectrum. */
+    public final class Readout {
+        public final SpectrumPlot.Curve curve;
         private final String hint;
         private final JTextArea text;
         private final JLabel color = new JLabel(" ");
         private Color shown;
 
         /** @param hint text shown while no point is picked; if empty, the readout is hidden instead */
-        Readout(String hint) {
+        Readout(String hint, SpectrumPlot.Curve curve) {
             this.hint = hint;
+            this.curve = curve;
             text = new JTextArea(hint, 8, 32) {
                 @Override
                 public Dimension getMaximumSize() {
@@ -117,18 +94,19 @@ public final class PickPanel extends JPanel {
             color.setVisible(!text.getText().equals(hint));
         }
 
-        void show(String description) {
+        public void show(String description) {
             text.setText(description);
             follow();
         }
 
-        void showColor(int rgb) {
+        public void showColor(int rgb) {
             shown = new Color(rgb);
             color.setOpaque(true);
             color.setBackground(shown);
             boolean bright = 0.3 * shown.getRed() + 0.59 * shown.getGreen() + 0.11 * shown.getBlue() > 128;
             color.setForeground(bright ? Color.BLACK : Color.WHITE);
             color.setText(Text.format("  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
+            showDifference();
         }
 
         /** Returns the color on screen relative to the screen's white; empty until the newest picture is final. */
@@ -142,15 +120,19 @@ public final class PickPanel extends JPanel {
                     : "";
         }
 
-        void outdate() {
+        /** Removes the color until the next final picture, and dims an old spectrum. */
+        public void outdate(boolean isSpectrumOld) {
             shown = null;
             color.setOpaque(false);
             color.setText(" ");
+            showDifference();
+            curve.setOld(isSpectrumOld);
         }
 
-        void clear() {
+        public void clear() {
             show(hint);
-            outdate();
+            outdate(false);
+            curve.show(new double[0]);
         }
     }
 }

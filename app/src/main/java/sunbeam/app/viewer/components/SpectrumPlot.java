@@ -35,14 +35,15 @@ public final class SpectrumPlot extends JComponent {
     // Exposure at which the brightest wavelength reaches the screen's maximum.
     private static final DisplayTransform DISPLAY = new DisplayTransform(1 / LIGHT.at(555e-9, 1), Tone.COMPRESS);
 
-    private final transient List<Curve> curves = List.of(
+    final transient List<Curve> curves = List.of(
             new Curve(new Color(0x5aa9e6), new BasicStroke(1.5f)),
             new Curve(
                     new Color(0xf0a050),
                     new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 3}, 0)));
     private int pointed = -1;
 
-    private static final class Curve {
+    /** Spectrum of one picked point. */
+    public final class Curve {
         private final Color color;
         private final BasicStroke stroke;
         private double[] powers = {};
@@ -52,6 +53,24 @@ public final class SpectrumPlot extends JComponent {
         Curve(Color color, BasicStroke stroke) {
             this.color = color;
             this.stroke = stroke;
+        }
+
+        /** Sets whether the spectrum is being made. */
+        public void await(boolean awaited) {
+            isAwaited = awaited;
+            repaint();
+        }
+
+        /** Shows powers at equal steps of wavelength; an empty array clears the curve. */
+        public void show(double[] values) {
+            powers = values.clone();
+            isOld = false;
+            await(false);
+        }
+
+        void setOld(boolean old) {
+            isOld = old;
+            repaint();
         }
     }
 
@@ -117,23 +136,6 @@ public final class SpectrumPlot extends JComponent {
             }
         }
         return text.toString();
-    }
-
-    public void await(int point, boolean awaited) {
-        curves.get(point).isAwaited = awaited;
-        repaint();
-    }
-
-    /** Shows a point's spectrum at equal steps of wavelength; an empty array clears it. */
-    public void show(int point, double[] values) {
-        curves.get(point).powers = values.clone();
-        setOld(point, false);
-        await(point, false);
-    }
-
-    void setOld(int point, boolean old) {
-        curves.get(point).isOld = old;
-        repaint();
     }
 
     @Override

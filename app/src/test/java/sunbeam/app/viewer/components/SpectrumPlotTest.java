@@ -16,17 +16,17 @@ final class SpectrumPlotTest {
     void aSpectrumThatIsBeingMadeIsSaidToComeUntilItIsThereOrFails() {
         SpectrumPlot plot = new SpectrumPlot();
         int[] without = painted(plot);
-        plot.await(0, true);
+        plot.curves.get(0).await(true);
         assertThat(painted(plot)).isNotEqualTo(without);
-        plot.await(0, false);
+        plot.curves.get(0).await(false);
         assertThat(painted(plot)).as("failed").isEqualTo(without);
 
-        plot.await(0, true);
-        plot.show(0, POWERS);
+        plot.curves.get(0).await(true);
+        plot.curves.get(0).show(POWERS);
         SpectrumPlot other = new SpectrumPlot();
-        other.show(0, POWERS);
+        other.curves.get(0).show(POWERS);
         assertThat(painted(plot)).as("there").isEqualTo(painted(other));
-        plot.await(1, true);
+        plot.curves.get(1).await(true);
         assertThat(painted(plot)).as("a second one beside it").isNotEqualTo(painted(other));
     }
 
@@ -35,7 +35,7 @@ final class SpectrumPlotTest {
         SpectrumPlot plot = new SpectrumPlot();
         double[] powers = new double[SpectrumPlot.COUNT];
         Arrays.fill(powers, 1);
-        plot.show(0, powers);
+        plot.curves.get(0).show(powers);
         // D65 by CIE 15, whose range of 360 to 830 nm adds nothing to four digits.
         assertThat(plot.numbers())
                 .contains("XYZ, D65  0.950", ", 1.00000, 1.08", "\n380\t1.00000\n385\t", "\n780\t1.00000");
