@@ -50,9 +50,9 @@ enum Action {
             Group.SKIN,
             "while it is held, show the other method alone",
             "SPACE, released SPACE",
-            (viewer, stroke) -> viewer.window.picture.divider().whole(!stroke.isOnKeyRelease())),
+            (viewer, stroke) -> viewer.window.picture.divider.whole(!stroke.isOnKeyRelease())),
     DIVIDER(Group.SKIN, "move the line between two methods", "alt LEFT, alt RIGHT", (viewer, stroke) -> {
-        Divider divider = viewer.window.picture.divider();
+        Divider divider = viewer.window.picture.divider;
         divider.move(divider.share() + Action.STEP_SHARE * right(stroke));
     }),
     LOAD_SCENE(Group.FILE, "load a scene", "ctrl O", viewer -> viewer.files.load(Kind.SCENE)),
@@ -71,8 +71,8 @@ enum Action {
             Group.VIEW,
             "show or hide the panel",
             "F9",
-            (viewer, stroke) -> viewer.window.showPanel(!viewer.window.isPanelShown()),
-            viewer -> viewer.window.isPanelShown()),
+            (viewer, stroke) -> viewer.window.showPanel(!viewer.window.panel.isVisible()),
+            viewer -> viewer.window.panel.isVisible()),
     FULL_SCREEN(
             Group.VIEW,
             "enter or leave full screen",

@@ -84,7 +84,7 @@ public final class FileActions {
     private final Viewer viewer;
     private final ViewerWindow window;
     private final ViewerModel model;
-    private final RecentFiles recent;
+    final RecentFiles recent;
     private Path folder = Path.of("").toAbsolutePath();
     private Path pictureWaiting;
 
@@ -132,10 +132,6 @@ public final class FileActions {
             return;
         }
         run(() -> Scenes.isScene(file), isScene -> load(isScene ? Kind.SCENE : Kind.PATCH, file));
-    }
-
-    public List<Path> recent() {
-        return recent.files();
     }
 
     public void loadPatch(Path file) {
@@ -206,7 +202,7 @@ public final class FileActions {
         pictureWaiting = null;
         ViewState state = finished.state();
         Stage.Final picture = finished.picture();
-        String renderer = viewer.presenter.renderer();
+        String renderer = viewer.presenter.renderer;
         save(file, () -> {
             Scene scene = state.firstPart().scene();
             PixelSamples samples = PixelSamples.inWindow(scene.method(), state.width(), state.height());

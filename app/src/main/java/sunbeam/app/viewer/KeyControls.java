@@ -102,7 +102,7 @@ public final class KeyControls {
                 Scene scene = Scenes.load(name);
                 JMenuItem item =
                         new JCheckBoxMenuItem(scene.get(SceneSettings.TITLE), new ImageIcon(Scenes.picture(name)));
-                item.setSelected(scene.equals(viewer.sceneAsOpened()));
+                item.setSelected(scene.equals(viewer.sceneAsOpened));
                 item.setToolTipText(name);
                 item.addActionListener(event -> viewer.open(scene, () -> {}));
                 menu.add(item);
@@ -115,7 +115,7 @@ public final class KeyControls {
         JMenu menu = new JMenu("Load a recent file");
         onOpening(menu, () -> {
             menu.removeAll();
-            for (Path file : viewer.files.recent()) {
+            for (Path file : viewer.files.recent.files()) {
                 JMenuItem item = new JMenuItem(file.getFileName().toString());
                 item.setToolTipText(file.toString());
                 item.addActionListener(event -> viewer.files.load(file));

@@ -29,7 +29,7 @@ public final class MouseControls extends MouseAdapter {
         DIVIDE(
                 new Help(Group.SKIN, "drag of the line between two methods", "moves it"),
                 (controls, event) -> isDrag(event) && controls.isDividerGrabbed,
-                (controls, event) -> controls.view.divider().move((double) event.getX() / controls.view.getWidth())),
+                (controls, event) -> controls.view.divider.move((double) event.getX() / controls.view.getWidth())),
         TURN(
                 new Help(
                         Group.LIGHT,
@@ -138,7 +138,7 @@ public final class MouseControls extends MouseAdapter {
     }
 
     private boolean isAtDivider(MouseEvent event) {
-        return view.divider().isAt(event.getX(), view.getWidth());
+        return view.divider.isAt(event.getX(), view.getWidth());
     }
 
     @Override

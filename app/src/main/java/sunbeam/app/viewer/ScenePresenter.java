@@ -37,7 +37,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     // Number of the newest request for strokes; results of older requests are discarded.
     private long newestStrokes;
     private boolean failed;
-    private String renderer = "";
+    String renderer = "";
     private ViewState requested;
     private ViewState shown;
     private RenderLoop.Finished completed;
@@ -61,10 +61,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         return Optional.ofNullable(completed)
                 .filter(last ->
                         last.state() == requested && last.state().firstPart().suits(model.scene()));
-    }
-
-    String renderer() {
-        return renderer;
     }
 
     boolean shows(Overlay overlay) {
@@ -203,7 +199,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
 
     @Override
     public void refused(String message) {
-        if (splitView.isRequested()) {
+        if (splitView.requested != null) {
             splitView.refused(message);
             return;
         }

@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -27,7 +28,7 @@ final class SplitViewPresenter {
     private final ViewerModel.Loading loading;
     // Final picture by the scene's own method; null if outdated.
     private RenderLoop.Finished own;
-    private ViewState requested;
+    ViewState requested;
     private long previewed;
     private LoadedScene loaded;
     private Scene preparing;
@@ -36,7 +37,7 @@ final class SplitViewPresenter {
         this.viewer = viewer;
         this.loading = loading;
         window = viewer.window;
-        divider = window.picture.divider();
+        divider = window.picture.divider;
     }
 
     void outdated() {
@@ -67,7 +68,7 @@ final class SplitViewPresenter {
                 && loaded.firstPart().mesh() == shown.firstPart().mesh()
                 && loaded.firstPart().suits(scene)) {
             loaded = loaded.with(scene);
-            requested = shown.by(loaded);
+            requested = new ViewState(loaded, shown.width(), shown.height(), Optional.empty(), 0, true);
             divider.show(null, words(shown), words(requested) + ", being drawn", false);
             viewer.loop.show(requested);
             return;
@@ -92,10 +93,6 @@ final class SplitViewPresenter {
 
     private static String words(ViewState state) {
         return MethodChoice.of(state.firstPart().scene()).toString();
-    }
-
-    boolean isRequested() {
-        return requested != null;
     }
 
     void refused(String problem) {

@@ -26,7 +26,7 @@ public final class StatusLine extends JPanel {
 
     private final JLabel picture = new JLabel("Loading");
     private final JLabel method = new JLabel(" ", SwingConstants.TRAILING);
-    private final JTextArea message = new JTextArea();
+    final JTextArea message = new JTextArea();
     // Frames since the last text about a moving picture; time of that text, 0 while nothing moves; frame rate as text.
     private int frames;
     private long rateStart;
@@ -60,10 +60,6 @@ public final class StatusLine extends JPanel {
         message("");
         add(picture);
         add(method, BorderLayout.EAST);
-    }
-
-    JTextArea messageArea() {
-        return message;
     }
 
     /** @param moves true if the picture's state is newer than that of the last one */
@@ -161,9 +157,5 @@ public final class StatusLine extends JPanel {
     final void message(String text) {
         message.setText(text);
         message.setVisible(!text.isBlank());
-    }
-
-    public String text() {
-        return message.getText();
     }
 }

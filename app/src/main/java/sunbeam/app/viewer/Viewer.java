@@ -57,7 +57,7 @@ public final class Viewer {
     final Background measuring = new Background("spectrum");
     private final CountDownLatch closed = new CountDownLatch(1);
     private final AWTEventListener dragListener = this::trackDrag;
-    private Scene sceneAsOpened;
+    Scene sceneAsOpened;
 
     Viewer(
             Scene scene,
@@ -70,14 +70,14 @@ public final class Viewer {
         model = new ViewerModel(scene, loader, loading);
         player = new Player(model);
         // OpenGL opens while the window is created; its notifications wait for the event thread.
-        loop = new RenderLoop(opening, this::tell);
+        loop = new RenderLoop(opening, this::tell, System::nanoTime);
         loop.start();
         try {
             window = new ViewerWindow(ScenePresenter.title(scene), model);
             inspector = new PointInspector(this);
             files = new FileActions(this, recent);
             presenter = new ScenePresenter(this, loader);
-            window.controls.onComparison(presenter::show);
+            window.controls.comparison.addActionListener(event -> presenter.show());
             Toolkit.getDefaultToolkit().addAWTEventListener(dragListener, AWTEvent.MOUSE_EVENT_MASK);
             model.setListener(presenter);
             window.addWindowListener(new WindowAdapter() {
@@ -142,7 +142,8 @@ public final class Viewer {
                 line -> {
                     warning.accept(Messages.warning(line));
                     // Messages before the window exists go to the terminal.
-                    Optional.ofNullable(viewer.get()).ifPresent(shown -> shown.message(line));
+                    Optional.ofNullable(viewer.get())
+                            .ifPresent(shown -> SwingUtilities.invokeLater(() -> shown.window.status.message(line)));
                 },
                 // Drops remarks about patches: the panel shows them beside the patch's name.
                 line -> {});
@@ -231,10 +232,6 @@ public final class Viewer {
         }
     }
 
-    Scene sceneAsOpened() {
-        return sceneAsOpened;
-    }
-
     void reset() {
         open(sceneAsOpened, () -> {});
     }
@@ -244,10 +241,5 @@ public final class Viewer {
             sceneAsOpened = scene;
             opened.run();
         });
-    }
-
-    /** Callable on any thread. */
-    private void message(String line) {
-        SwingUtilities.invokeLater(() -> window.status.message(line));
     }
 }

@@ -45,7 +45,7 @@ public final class ViewerWindow extends JFrame {
     final MapView map = new MapView();
     final PickPanel pick = new PickPanel();
     final StatusLine status = new StatusLine();
-    private final JComponent panel;
+    final JComponent panel;
     // True until the user shows or hides the panel.
     private boolean panelFollowsWidth = true;
 
@@ -67,7 +67,7 @@ public final class ViewerWindow extends JFrame {
         panel.setBorder(BorderFactory.createEmptyBorder());
         panel.setPreferredSize(new Dimension(330, 100));
         // The message covers the picture's bottom, so that the picture keeps its size.
-        picture.add(status.messageArea(), BorderLayout.SOUTH);
+        picture.add(status.message, BorderLayout.SOUTH);
         add(picture);
         add(panel, BorderLayout.EAST);
         add(status, BorderLayout.SOUTH);
@@ -110,10 +110,6 @@ public final class ViewerWindow extends JFrame {
         panelFollowsWidth = false;
         panel.setVisible(shown);
         validate();
-    }
-
-    public boolean isPanelShown() {
-        return panel.isVisible();
     }
 
     public void toggleFullScreen() {

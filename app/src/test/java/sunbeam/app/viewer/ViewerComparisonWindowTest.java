@@ -65,14 +65,14 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
         arrivals.await(KeyEvent.KEY_RELEASED, 1, () -> robot.keyRelease(KeyEvent.VK_SPACE));
 
         press(KeyEvent.VK_RIGHT);
-        awaitOnEvents(() -> !divider().isShown());
+        awaitOnEvents(() -> !divider().isFinal());
         awaitFinal();
         BufferedImage lit = awaitOther();
         int edge = (int) onEvents(() -> divider().share() * own.getWidth()).doubleValue();
         assertSame(lit, picture(), 0, edge - LINE);
         assertSame(lit, thesis("lit"), edge + LINE, own.getWidth());
         choose("comparison", "off");
-        awaitOnEvents(() -> !divider().isShown());
+        awaitOnEvents(() -> !divider().isFinal());
         assertSame(shown(), picture(), 0, own.getWidth());
     }
 
@@ -99,7 +99,7 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
     }
 
     private Divider divider() {
-        return viewer.window.picture.divider();
+        return viewer.window.picture.divider;
     }
 
     private BufferedImage awaitOther() throws Exception {

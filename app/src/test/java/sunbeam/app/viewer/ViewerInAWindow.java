@@ -293,7 +293,7 @@ public abstract class ViewerInAWindow {
     }
 
     String message() throws Exception {
-        return onEvents(() -> viewer.window.status.text());
+        return onEvents(() -> viewer.window.status.message.getText());
     }
 
     /** @param name a built-in patch or its file */

@@ -185,7 +185,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         assertThat(picture()).isNotSameAs(saved);
         assertThat(different(saved, picture(), false)).isZero();
         assertThat(message()).contains("loaded mine.json");
-        assertThat(onEvents(() -> viewer.files.recent())).containsExactly(folder.resolve("mine.json"));
+        assertThat(onEvents(() -> viewer.files.recent.files())).containsExactly(folder.resolve("mine.json"));
         Scene again = modelScene();
         press(KeyEvent.VK_RIGHT);
         await(() -> !loaded().scene().equals(again));

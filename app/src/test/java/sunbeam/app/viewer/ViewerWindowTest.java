@@ -79,13 +79,13 @@ final class ViewerWindowTest extends ViewerInAWindow {
     void aNarrowWindowOpensWithoutThePanel() throws Exception {
         Viewer narrow = Viewer.open(scene(), environment(), line -> {}, new Dimension(480, 320));
         onEvents(() -> {
-            assertThat(narrow.window.isPanelShown()).isFalse();
+            assertThat(narrow.window.panel.isVisible()).isFalse();
             assertThat(narrow.window.picture.getSize()).isEqualTo(new Dimension(480, 320));
             narrow.window.setSize(700, 500);
         });
         await(() -> onEvents(() -> narrow.window.picture.getWidth()) > 600);
         onEvents(() -> narrow.window.setSize(1180, 880));
-        awaitOnEvents(() -> narrow.window.isPanelShown());
+        awaitOnEvents(() -> narrow.window.panel.isVisible());
         onEvents(() -> narrow.quit());
         narrow.awaitEnd(PATIENCE_MILLISECONDS);
     }

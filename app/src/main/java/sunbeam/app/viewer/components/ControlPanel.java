@@ -43,7 +43,7 @@ public final class ControlPanel extends JTabbedPane {
     private final transient Consumer<String> problem;
     private final transient Map<String, PatchRequest> loadedPatches = new HashMap<>();
     private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.ALL.toArray(MethodChoice[]::new));
-    private final JComboBox<Object> comparison = new JComboBox<>();
+    public final JComboBox<Object> comparison = new JComboBox<>();
     private final JTextField spacing = new JTextField("1um", 8);
     private final JLabel patchCaption;
     private final String patchTip;
@@ -141,7 +141,7 @@ public final class ControlPanel extends JTabbedPane {
     }
 
     private Scene by(MethodChoice choice, Scene scene) {
-        Choices entered = choice.hasSpacing() ? parsed(MethodSettings.SPACING, spacing.getText()) : Choices.none();
+        Choices entered = choice.has(MethodSettings.SPACING) ? parsed(MethodSettings.SPACING, spacing.getText()) : Choices.none();
         if (choice.hasTolerance()) {
             // The control keeps its tolerance while the scene's method has none, so take it from the control.
             entered = entered.over(parsed(MethodSettings.TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
@@ -163,10 +163,6 @@ public final class ControlPanel extends JTabbedPane {
         return is && !was && weightByMirror.isPresent()
                 ? after.with(SceneSettings.DIFFRACTION, weightByMirror.getAsDouble())
                 : after;
-    }
-
-    public void onComparison(Runnable chosen) {
-        comparison.addActionListener(event -> chosen.run());
     }
 
     /** Returns the scene by the comparison method; empty if none or the scene's own is chosen. */
@@ -216,10 +212,10 @@ public final class ControlPanel extends JTabbedPane {
         if (choices.has(MethodSettings.SPACING)) {
             SettingRows.show(spacing, choices.written(MethodSettings.SPACING));
         }
-        spacing.setVisible(choice.hasSpacing());
-        spacingCaption.setVisible(choice.hasSpacing());
+        spacing.setVisible(choice.has(MethodSettings.SPACING));
+        spacingCaption.setVisible(choice.has(MethodSettings.SPACING));
         tolerance.setEnabled(choice.hasTolerance());
-        average.setEnabled(choice.hasAverages());
+        average.setEnabled(choice.has(MethodSettings.AVERAGE));
         scenes.loaded().ifPresent(this::followRemarks);
         updating = false;
     }

@@ -47,10 +47,6 @@ public final class Divider {
         }
     }
 
-    public boolean isShown() {
-        return shown != null;
-    }
-
     public boolean isFinal() {
         return shown != null && shown.isFinal;
     }
@@ -95,7 +91,11 @@ public final class Divider {
             graphics.setColor(Color.WHITE);
             graphics.fillRect(x, 0, 1, height);
             graphics.fillRect(x - 2, height / 2 - 2 * REACH, 5, 4 * REACH);
-            label(graphics, shown.ownLabel, x - 2 * MARGIN - graphics.getFontMetrics().stringWidth(shown.ownLabel), MARGIN);
+            label(
+                    graphics,
+                    shown.ownLabel,
+                    x - 2 * MARGIN - graphics.getFontMetrics().stringWidth(shown.ownLabel),
+                    MARGIN);
         }
         label(graphics, shown.otherLabel, x + 2 * MARGIN, MARGIN);
     }

@@ -58,10 +58,10 @@ public record MethodChoice(String label, Choices own) {
     SceneMethod inPlaceOf(SceneMethod other, Choices entered) {
         List<Setting<?>> kept = new ArrayList<>(
                 List.of(MethodSettings.TOLERANCE, MethodSettings.COHERENCE_LENGTH, MethodSettings.AVERAGE));
-        if (type().has(MethodSettings.REPLICAS)) {
+        if (has(MethodSettings.REPLICAS)) {
             kept.add(MethodSettings.REPLICAS);
         }
-        if (type().has(MethodSettings.TOLERANCE) && !type().has(MethodSettings.AVERAGE)) {
+        if (has(MethodSettings.TOLERANCE) && !has(MethodSettings.AVERAGE)) {
             kept.remove(MethodSettings.AVERAGE);
         }
         if (isThesis()) {
@@ -80,15 +80,11 @@ public record MethodChoice(String label, Choices own) {
 
     /** True if the tolerance affects the picture. */
     public boolean hasTolerance() {
-        return type().has(MethodSettings.TOLERANCE) && !isThesis();
+        return has(MethodSettings.TOLERANCE) && !isThesis();
     }
 
-    boolean hasAverages() {
-        return type().has(MethodSettings.AVERAGE);
-    }
-
-    boolean hasSpacing() {
-        return type().has(MethodSettings.SPACING);
+    boolean has(Setting<?> setting) {
+        return type().has(setting);
     }
 
     @Override

@@ -40,7 +40,7 @@ public final class PictureView extends JComponent {
     private transient List<Optional<Point>> marks = List.of();
     private boolean isHintShown = true;
     private boolean isLightHeld;
-    private final transient Divider divider = new Divider(this::repaint);
+    public final transient Divider divider = new Divider(this::repaint);
 
     public PictureView() {
         setLayout(new BorderLayout());
@@ -51,10 +51,6 @@ public final class PictureView extends JComponent {
         message.setBorder(BorderFactory.createEmptyBorder(0, MARGIN, 0, MARGIN));
         add(message);
         setName("picture");
-    }
-
-    public Divider divider() {
-        return divider;
     }
 
     public void hideHint() {

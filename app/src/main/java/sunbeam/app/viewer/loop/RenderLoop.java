@@ -72,7 +72,7 @@ public final class RenderLoop implements AutoCloseable {
     private final Consumer<Consumer<Listener>> news;
     private final LongSupplier clock;
     private final Thread thread;
-    private Phase phase = Phase.EMPTY;
+    Phase phase = Phase.EMPTY;
     private ViewState state;
     private long previewEnd;
     // Last final picture of the scene's own method (false) and of the comparison method (true).
@@ -83,13 +83,9 @@ public final class RenderLoop implements AutoCloseable {
 
     /**
      * Creates a loop whose thread, once started, creates the stage by {@code opening}; {@code news} passes notifications to the listener, perhaps
-     * on another thread.
+     * on another thread; {@code clock} is in nanoseconds.
      */
-    public RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<Listener>> news) {
-        this(opening, news, System::nanoTime);
-    }
-
-    RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<Listener>> news, LongSupplier clock) {
+    public RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<Listener>> news, LongSupplier clock) {
         this.opening = opening;
         this.news = news;
         this.clock = clock;
@@ -150,10 +146,6 @@ public final class RenderLoop implements AutoCloseable {
         } catch (InterruptedException failure) {
             news.accept(to -> to.failed("the render thread was interrupted"));
         }
-    }
-
-    Phase phase() {
-        return phase;
     }
 
     /** Returns the nanoseconds until the next turn, unless a state or task comes earlier; {@link Long#MAX_VALUE} if no work is left. */

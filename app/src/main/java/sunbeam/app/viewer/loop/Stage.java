@@ -23,10 +23,6 @@ public interface Stage extends AutoCloseable {
      */
     record ViewState(
             LoadedScene scene, int width, int height, Optional<Direction> mapLight, int mapRegion, boolean isOther) {
-        public ViewState by(LoadedScene other) {
-            return new ViewState(other, width, height, Optional.empty(), 0, true);
-        }
-
         public SceneData firstPart() {
             return scene.firstPart();
         }

@@ -112,7 +112,7 @@ final class RenderLoopTest {
             }
             assertThat(tasksDone).as("tasks").isEqualTo(tasks);
             if (asked != null && !isRefused) {
-                assertThat(loop.phase()).isEqualTo(RenderLoop.Phase.COMPLETE);
+                assertThat(loop.phase).isEqualTo(RenderLoop.Phase.COMPLETE);
                 assertThat(shown).as("newest").isSameAs(asked);
                 assertThat(isFinal).as("final").isTrue();
                 assertThat(isMapFinal).as("map").isEqualTo(asked.mapLight().isPresent());
