@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.viewer.components.ControlOrigin;
+import sunbeam.app.viewer.components.ControlPanel.ControlOrigin;
 import sunbeam.app.viewer.components.Divider;
 import sunbeam.app.viewer.components.MethodChoice;
 import sunbeam.app.viewer.loop.RenderLoop;

@@ -13,6 +13,8 @@ import java.awt.event.MouseEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.lang.reflect.InvocationTargetException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -20,9 +22,11 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
+import javax.swing.Timer;
 import jrtr.GraphicsException;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneLoader.SceneShape;
+import sunbeam.app.scene.Motion;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
@@ -241,5 +245,55 @@ public final class Viewer {
             sceneAsOpened = scene;
             opened.run();
         });
+    }
+
+    /** Plays one {@link Motion} of the scene at a time until it is stopped. Used on the event thread only. */
+    static final class Player {
+        private static final int FRAME_MILLISECONDS = 16;
+        private static final double RADIANS_PER_NANOSECOND = Math.toRadians(30) * 1e-9;
+
+        private final ViewerModel model;
+        private final Timer timer = new Timer(FRAME_MILLISECONDS, event -> advance());
+        private final List<Runnable> listeners = new ArrayList<>();
+        private Motion motion;
+        private long last;
+
+        Player(ViewerModel model) {
+            this.model = model;
+        }
+
+        void onChange(Runnable listener) {
+            listeners.add(listener);
+        }
+
+        boolean plays(Motion value) {
+            return motion == value;
+        }
+
+        void toggle(Motion value) {
+            play(plays(value) ? null : value);
+        }
+
+        void stop() {
+            play(null);
+        }
+
+        private void play(Motion value) {
+            motion = value;
+            last = System.nanoTime();
+            if (value == null) {
+                timer.stop();
+            } else {
+                timer.start();
+            }
+            listeners.forEach(Runnable::run);
+        }
+
+        private void advance() {
+            long now = System.nanoTime();
+            double angle = (now - last) * RADIANS_PER_NANOSECOND;
+            last = now;
+            model.change(scene -> motion.at(scene, angle));
+        }
     }
 }

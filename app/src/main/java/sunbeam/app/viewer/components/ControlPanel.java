@@ -5,6 +5,7 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -32,8 +33,10 @@ import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.setting.ValueKind;
 
 /** Panel of controls beside the picture. Each changes one setting of the scene and shows its current value. */
 public final class ControlPanel extends JTabbedPane {
@@ -141,7 +144,8 @@ public final class ControlPanel extends JTabbedPane {
     }
 
     private Scene by(MethodChoice choice, Scene scene) {
-        Choices entered = choice.has(MethodSettings.SPACING) ? parsed(MethodSettings.SPACING, spacing.getText()) : Choices.none();
+        Choices entered =
+                choice.has(MethodSettings.SPACING) ? parsed(MethodSettings.SPACING, spacing.getText()) : Choices.none();
         if (choice.hasTolerance()) {
             // The control keeps its tolerance while the scene's method has none, so take it from the control.
             entered = entered.over(parsed(MethodSettings.TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
@@ -246,5 +250,45 @@ public final class ControlPanel extends JTabbedPane {
             lastExposure = factor;
             exposure.follow(factor);
         });
+    }
+
+    /** Origin of choices made by the window's controls; names a setting by its control's caption. */
+    public enum ControlOrigin implements Origin {
+        INSTANCE;
+
+        // Captions of settings whose key, split into words, would be too long or too vague.
+        private static final Map<Setting<?>, String> CAPTIONS = Map.of(
+                MethodSettings.COHERENCE_LENGTH, "Coherence",
+                MethodSettings.SPACING, "Lines",
+                PatchSettings.MAX_HEIGHT, "Height of full scale",
+                SceneSettings.ROTATE_PATCH, "Rotation",
+                SceneSettings.DIFFRACTION, "Diffraction",
+                SceneSettings.INTENSITY, "Light",
+                SceneSettings.TEXTURE_WEIGHT, "Texture's weight",
+                SceneSettings.INDEX, "Refractive index");
+
+        @Override
+        public Place place() {
+            return Place.CONTROL;
+        }
+
+        @Override
+        public String name(Setting<?> setting) {
+            String words = setting.words(" ");
+            return CAPTIONS.getOrDefault(setting, words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1));
+        }
+
+        /** Returns a control's tooltip: effect, unit and limits of the setting, then {@code more}, a text about the control. */
+        public String tip(Setting<?> setting, String more) {
+            ValueKind<?> kind = setting.kind();
+            String unit = kind.form() == ValueKind.Form.QUANTITY ? "With its unit" : "Without unit";
+            String values = kind.form() == ValueKind.Form.TEXT ? "No unit." : unit + ", " + kind.range() + ".";
+            return wrapped(String.join(" ", setting.help().in(this), values, more));
+        }
+
+        static String wrapped(String text) {
+            return "<html><body style='width: 260px'>"
+                    + text.replace("&", "&amp;").replace("<", "&lt;").strip();
+        }
     }
 }

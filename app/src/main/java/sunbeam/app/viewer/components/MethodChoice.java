@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.viewer.components.ControlPanel.ControlOrigin;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
