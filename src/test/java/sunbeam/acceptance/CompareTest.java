@@ -193,7 +193,7 @@ class CompareTest extends InOneWorkplace {
     void whatCannotBeComparedIsOneLine(String photo, String option, int code, String words) throws IOException {
         photograph("plain.png", CompareTest::scene);
         photograph("white.png", (row, column, c) -> 1);
-        Complaint.assertThatIt(workplace.here(command(photo, " " + option)), code, words);
+        workplace.here(command(photo, " " + option)).complains(code, words);
         assertThat(workplace.resolve(photo + "-compared.png")).doesNotExist();
     }
 

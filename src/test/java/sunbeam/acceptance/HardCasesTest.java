@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -126,5 +127,30 @@ class HardCasesTest extends InOneWorkplace {
                         .isCloseTo(exact.at(row, "exact_" + column), within(Math.max(1e-7 * largest, 1e-20)));
             }
         }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"blaze, 1e-4", "elaphe, 1e-2", "xenopeltis, 1e-3"})
+    void powerKeepsTheTolerance(String patch, double tolerance) throws Exception {
+        assertErrorsWithin(tolerance, "power", patch, "power");
+    }
+
+    /** Uses the default tolerance, since the independent colors of sharp orders have errors of 1e-4. */
+    @ParameterizedTest
+    @ValueSource(strings = {"blaze", "elaphe"})
+    void colorKeepsTheTolerance(String patch) throws Exception {
+        assertErrorsWithin(1e-3, "xyz", patch, "X", "Y", "Z");
+    }
+
+    private static void assertErrorsWithin(double tolerance, String kind, String patch, String... columns)
+            throws Exception {
+        CsvFile exact = SharedData.reference(kind, patch);
+
+        ErrorStatistics errors = workplace
+                .reflectance(SharedData.patch(patch), exact, "--average coherent --tolerance " + tolerance)
+                .errors(exact, name -> name, columns);
+
+        assertThat(errors.count()).isGreaterThan(5);
+        assertThat(errors.keep(tolerance)).as("%s", errors).isTrue();
     }
 }

@@ -3,12 +3,18 @@ package sunbeam.acceptance;
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.function.DoublePredicate;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipFile;
 
 /** Linear BRDF map as a NumPy array: float32, rows x columns x XYZ. */
 public record NpyImage(String header, int side, float[] values) {
@@ -63,5 +69,44 @@ public record NpyImage(String header, int side, float[] values) {
             }
         }
         return sum;
+    }
+
+    /**
+     * NumPy's archive of an exported table.
+     *
+     * @param metadata content of metadata.json
+     * @param arrays float32, by name
+     */
+    record NpzFile(JsonNode metadata, Map<String, float[]> arrays) {
+        static NpzFile read(Path file) throws IOException {
+            JsonNode metadata = null;
+            Map<String, float[]> arrays = new HashMap<>();
+            try (ZipFile zip = new ZipFile(file.toFile())) {
+                for (ZipEntry entry : zip.stream().toList()) {
+                    byte[] bytes = zip.getInputStream(entry).readAllBytes();
+                    if (entry.getName().endsWith(".npy")) {
+                        arrays.put(
+                                entry.getName().replace(".npy", ""),
+                                NpyImage.of(bytes, 0).values());
+                    } else {
+                        metadata = new ObjectMapper().readTree(bytes);
+                    }
+                }
+            }
+            return new NpzFile(metadata, arrays);
+        }
+
+        float[] axis(String name) {
+            return arrays.get(name);
+        }
+
+        int channels() {
+            return arrays.get("C").length / (axis("u").length * axis("v").length * axis("w").length);
+        }
+
+        float color(int slice, int row, int column, int channel) {
+            int texel = (slice * axis("v").length + row) * axis("u").length + column;
+            return arrays.get("C")[texel * channels() + channel];
+        }
     }
 }

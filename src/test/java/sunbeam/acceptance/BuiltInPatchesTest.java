@@ -1,4 +1,4 @@
-package sunbeam.acceptance.contract;
+package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -13,9 +13,6 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.acceptance.CsvFile;
-import sunbeam.acceptance.InOneWorkplace;
-import sunbeam.acceptance.NpyImage;
 import sunbeam.precompute.errors.Comparison;
 
 /**

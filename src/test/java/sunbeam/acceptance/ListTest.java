@@ -1,4 +1,4 @@
-package sunbeam.acceptance.contract;
+package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -11,10 +11,6 @@ import org.assertj.core.data.Percentage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.acceptance.CsvFile;
-import sunbeam.acceptance.Images;
-import sunbeam.acceptance.InWorkplace;
-import sunbeam.acceptance.SunbeamResult;
 
 /** Command {@code reflectance} on built-in surfaces. */
 class ListTest extends InWorkplace {

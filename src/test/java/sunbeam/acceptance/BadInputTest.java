@@ -1,0 +1,263 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.files.output.OutputException;
+
+/** Wrong options, directions, patches and outputs are refused in one line with file or option, value and remedy. */
+class BadInputTest extends InWorkplace {
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '"',
+            value = {
+                "brdf-map --size 0|--size 0 is out of range; give 1 to",
+                "brdf-map --size 100000|--size 100000 is out of range; give 1 to",
+                "brdf-map --theta-i 90|--theta-i 90 deg is out of range; give 0 deg to 89.9 deg",
+                "brdf-map --exposure -2|--exposure '-2' is neither auto nor a positive number",
+                "brdf-map --terms 0|--terms 0 is out of range; give 1 to",
+                "brdf-map --radius 99|--radius 99 is out of range; give 0 to",
+                "brdf-map --wavelength-step 0nm|--wavelength-step 0 m is out of range; give",
+                "brdf-map --coherence-length 1m|--coherence-length 1 m is out of range; give",
+                "brdf-map --tolerance 0|--tolerance 0 is out of range; give 1e-5 to 1",
+                "brdf-map --tolerance 1e-7|--tolerance 1e-7 is finer than float32 can reach, which is 1e-5",
+                "brdf-map --preset thesis --tolerance 0.1|--tolerance 0.1 contradicts --preset thesis",
+                "brdf-map --anchor floor|anchor floor is of the thesis's bins",
+                "brdf-map --method gem --terms 5|--terms 5 belongs to --method full, nmm or pq, not gem; leave it out",
+                "brdf-map --preset these|--preset \"these\" is not one of none, thesis",
+                "brdf-map --output map.png --linear map.png|--linear map.png would be linear colors, which its name does not say; end it with .npy",
+                "brdf-mop|unknown command 'brdf-mop' (did you mean brdf-map",
+                "brdf-map --tolerance 1%|--tolerance \"1%\" is no number; write 0.01 for that many percent",
+                "brdf-map --exposure Automatic|--exposure 'Automatic' is neither auto",
+                "brdf-map --average ensembel|is not one of coherent, ensemble (did you mean ensemble?)",
+                "brdf-map --sise 8|unknown option '--sise' (did you mean --size",
+                "reflectance --directions in.csv|missing required option: '--output",
+                "export blaze --format npz --output b.csv|--output",
+                "export blaze --format npz --output b.npz --size many|--size",
+                "export blaze --format npz --output b.npz --theta-max 91|--theta-max",
+                "export blaze --format tiff --output b.npz|--format",
+                "export blaze --format hdf5 --output b.h5|hdf5",
+                "export blaze --format npz --output b.npz --channels rgb|--channels",
+                "export blaze --format html --output b.html --channels rec709|--channels",
+                "export blaze --format npz --output b.npz --channels spectral --bands 500|--bands 500",
+                "export blaze --format npz --output b.npz --channels spectral --illuminant A|--illuminant",
+                "export blaze --format npz --output b.npz --bands 20|--bands",
+                "export blaze --format npz --output b.npz --channels spectral --wavelengths 532nm|--bands",
+                "export blaze --format osl --output b --bands 20|--bands",
+                "export blaze --format bsdf --output b.brdf|--output",
+                "export blaze --format bsdf --output b.bsdf --channels xyz|--channels",
+                "export blaze --format bsdf --output b.bsdf --illuminant A|--illuminant"
+            })
+    void areRefusedWithTheOptionItsValueAndWhatWouldDo(String commandLine, String words) throws Exception {
+        workplace.here(commandLine).complains(SunbeamResult.USAGE, words);
+        assertThat(workplace.files()).isEmpty();
+        assertThat(workplace.tables()).isEmpty();
+    }
+
+    @Test
+    void aListThatIsNotThere() throws Exception {
+        reflectance().complains(SunbeamResult.UNUSABLE_INPUT, "cannot read in.csv: there is no such file; check the name");
+        assertThat(workplace.files()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "theta_i,phi_i,theta_r|0,0,0|it has no column phi_r",
+                "theta_i,phi_i,theta_r,phi_r|0,0,95,0|line 2, column theta_r: 95.0 must lie in 0..89.999 degrees",
+                "theta_i,phi_i,theta_r,phi_r|-1,0,0,0|line 2, column theta_i: -1.0 must lie in 0..89.999 degrees",
+                "theta_i,phi_i,theta_r,phi_r|0,1e300,0,0|line 2, column phi_i: 1.0E300 must lie in -36000..36000 degrees",
+                "theta_i,phi_i,theta_r,phi_r|0,north,0,0|line 2, column phi_i: 'north' is not a finite number",
+                "theta_i,phi_i,theta_r,phi_r,wavelength|0,0,0,0,5.5e-7|column wavelength: 5.5E-7 must lie in 380..780 nm",
+                "theta_i,phi_i,theta_r,phi_r,wavelength|0,0,0,0|line 2: 4 fields, but the header has 5",
+                "theta_i;phi_i;theta_r;phi_r|0;0;0;0|separate columns by commas"
+            })
+    void aListWithAMistake(String header, String row, String words) throws Exception {
+        Files.writeString(workplace.resolve("in.csv"), header + "\n" + row + "\n");
+
+        reflectance().complains(SunbeamResult.UNUSABLE_INPUT, "in.csv", words);
+
+        assertThat(workplace.files()).containsExactly("in.csv");
+    }
+
+    private SunbeamResult reflectance() throws IOException {
+        return workplace.here("reflectance --patch blaze --directions in.csv --output out.csv");
+    }
+
+    private static final String SCALE = " --width 65um --max-height 375nm";
+
+    private void layOutPatches() throws IOException {
+        Images.gray(workplace.resolve("scan.png"), 16, 16, (column, row) -> 13 * column + row);
+        Files.writeString(workplace.resolve("notes.png"), "heights: see the other file\n");
+        Images.gray(workplace.resolve("one.png"), 1, 1, (column, row) -> 7);
+        Files.writeString(
+                workplace.resolve("lost.json"),
+                "{\"heights\": \"lost.png\", \"width\": \"65 um\", \"maxHeight\": \"375 nm\"}");
+        Files.writeString(workplace.resolve("broken.json"), "{\"heights\":");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "nowhere.png | --patch nowhere.png is neither a built-in patch nor an existing file; give a",
+                "notes.png | notes.png is / format that Sunbeam knows / Gwyddion",
+                "one.png | one.png has 1 x 1 samples / give at least"
+            })
+    void aFileThatIsNoSurface(String patch, String words) throws Exception {
+        assertRefused(SunbeamResult.UNUSABLE_INPUT, "--patch " + patch + SCALE, words);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "scan.png | scan.png / add for example --width 65um and --max-height 375nm",
+                "scan.png --width 65um | scan.png / add for example --max-height 375nm",
+                "scan.png --max-height 375nm | scan.png / add for example --width 65um",
+                "lost.json | lost.json, line 1 / there is no file lost.png; check the name",
+                "broken.json | broken.json, line 1: no valid JSON"
+            })
+    void aSurfaceThatIsNotDescribed(String patch, String words) throws Exception {
+        assertRefused(SunbeamResult.UNUSABLE_INPUT, "--patch " + patch, words);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "--width 0um --max-height 375nm, '--width 0 m is out of range; give 1 nm to 100 mm'",
+        "--width -65um --max-height 375nm, '--width -65 um is out of range; give'",
+        "--width 65m --max-height 375nm, '--width 65 m is out of range; give'",
+        "--width 65 --max-height 375nm, '--width \"65\" has no unit; write'",
+        "--width wide --max-height 375nm, '--width \"wide\" is no length; write'",
+        "--width NaNum --max-height 375nm, '--width \"NaNum\" is no length; write'",
+        "--width 65um --height 0um --max-height 375nm, '--height 0 m is out of range; give'",
+        "--width 65um --max-height 0nm, '--max-height 0 m is out of range; give 1 pm to 1 m'",
+        "--width 65um --max-height -1nm, '--max-height -1 nm is out of range; give'",
+        "--width 65um --max-height 375m, '--max-height 375 m is out of range; give'",
+        "--width 65um --max-height 375mm, '--max-height 375 mm makes a relief of'"
+    })
+    void aScaleThatCannotBe(String options, String words) throws Exception {
+        assertRefused(SunbeamResult.USAGE, "--patch scan.png " + options, words);
+    }
+
+    @Test
+    void aWordThatNamesNoSurface() throws Exception {
+        workplace.here("brdf-map blaze --periodic yes").complains(SunbeamResult.UNUSABLE_INPUT,
+                "'yes' is neither a built-in patch nor an existing file; a name with blanks needs quotes");
+    }
+
+    private void assertRefused(int exitCode, String options, String words) throws Exception {
+        layOutPatches();
+        List<String> before = workplace.files();
+
+        workplace.here("brdf-map --size 8 --output map.png " + options).complains(exitCode, words.split(" / "));
+
+        assertThat(workplace.files()).as("files left").isEqualTo(before);
+        assertThat(workplace.tables()).as("tables left").isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "brdf-map --size 8 --output, map.png",
+        "precompute --output, table.h5",
+        "reflectance --directions in.csv --output, out.csv"
+    })
+    void aFolderThatTakesNoFiles(String commandLine, String name) throws Exception {
+        assumeTrue(Files.isDirectory(Path.of("/proc")), "skipped: no /proc, where nobody may make files");
+        writeDirections();
+
+        blaze(commandLine + " /proc/" + name).complains(SunbeamResult.CANNOT_WRITE, "/proc/" + name);
+    }
+
+    @Test
+    void aFolderThatIsWriteProtected() {
+        assertThat(OutputException.of(Path.of("map.png"), new AccessDeniedException("map.png")))
+                .hasMessage("cannot write map.png: permission denied; choose a folder that you may write to");
+    }
+
+    @Test
+    void aFolderThatIsNotThere() throws Exception {
+        blaze("brdf-map --size 8 --output maps/map.png").complains(SunbeamResult.CANNOT_WRITE,
+                "cannot write maps/map.png",
+                "does not exist; create it first");
+        assertThat(workplace.files()).isEmpty();
+    }
+
+    @Test
+    void aFolderInPlaceOfAFile() throws Exception {
+        blaze("brdf-map --size 8 --output .").complains(SunbeamResult.CANNOT_WRITE, "it is a folder; name a file in it");
+        assertThat(workplace.files()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "brdf-map --size 8 --output",
+        "brdf-map --size 8 --output map.png --linear",
+        "reflectance --directions in.csv --output"
+    })
+    void aFullDisk(String commandLine) throws Exception {
+        assumeTrue(Files.exists(Path.of("/dev/full")), "skipped: no /dev/full, the disk that is always full");
+        writeDirections();
+
+        blaze(commandLine + " /dev/full").complains(SunbeamResult.CANNOT_WRITE,
+                "cannot write /dev/full: No space left on device; free some space or choose another folder");
+        assertThat(workplace.files()).containsExactly("in.csv");
+    }
+
+    /** The output is checked first: the missing patch would have exit code 4. */
+    @ParameterizedTest
+    @CsvSource({
+        "inspect none.gwy --output taken.png, taken.png",
+        "brdf-map --patch none.gwy --output taken.png, taken.png",
+        "brdf-map --patch none.gwy --output free.png --linear taken.npy, taken.npy",
+        "color --patch none.gwy --output taken.png, taken.png",
+        "color --patch none.gwy --output only-the-table.png, only-the-table.csv",
+        "evaluate --patch none.gwy --output taken, taken.png",
+        "evaluate --patch none.gwy --output taken.csv, taken.png",
+        "precompute --patch none.gwy --output taken.h5, taken.h5",
+        "benchmark --patch none.gwy --output taken.md, taken.md",
+        "reflectance --patch none.gwy --directions in.csv --output taken.csv, taken.csv",
+        "export none.gwy --format npz --output taken.npz, taken.npz",
+        "export none.gwy --format glsl --output ., ./sunbeam.exr"
+    })
+    void anOutputThatExistsIsRefusedBeforeThePatchIsRead(String commandLine, String taken) throws Exception {
+        writeDirections();
+        Files.createFile(workplace.resolve(taken));
+        List<String> before = workplace.files();
+
+        workplace.here(commandLine).complainsThatItExists(taken);
+        assertThat(workplace.files()).isEqualTo(before);
+    }
+
+    /** The system refuses to let a file grow beyond 8 MB: the picture fits, the 12 MB of linear colors do not. */
+    @Test
+    void aDiskThatFillsUpWhileTheSecondFileIsWritten() throws Exception {
+        // Blocks of 1024 bytes.
+        SunbeamResult result = workplace
+                .commandBy(
+                        "ulimit -f 8192; exec $SUNBEAM",
+                        "brdf-map --patch blaze --size 1024 --tolerance 0.1 --output a.png --linear a.npy")
+                .run();
+
+        result.complains(SunbeamResult.CANNOT_WRITE, "cannot write a.npy: File too large; choose another");
+        assertThat(workplace.files()).isEmpty();
+    }
+
+    private void writeDirections() throws IOException {
+        Files.writeString(workplace.resolve("in.csv"), "theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,10,180,550\n");
+    }
+
+    private SunbeamResult blaze(String commandLine) throws IOException {
+        return workplace.here(commandLine + " --patch blaze");
+    }
+}
