@@ -65,7 +65,8 @@ class BadInputTest extends InWorkplace {
 
     @Test
     void aListThatIsNotThere() throws Exception {
-        reflectance().complains(SunbeamResult.UNUSABLE_INPUT, "cannot read in.csv: there is no such file; check the name");
+        reflectance()
+                .complains(SunbeamResult.UNUSABLE_INPUT, "cannot read in.csv: there is no such file; check the name");
         assertThat(workplace.files()).isEmpty();
     }
 
@@ -152,8 +153,11 @@ class BadInputTest extends InWorkplace {
 
     @Test
     void aWordThatNamesNoSurface() throws Exception {
-        workplace.here("brdf-map blaze --periodic yes").complains(SunbeamResult.UNUSABLE_INPUT,
-                "'yes' is neither a built-in patch nor an existing file; a name with blanks needs quotes");
+        workplace
+                .here("brdf-map blaze --periodic yes")
+                .complains(
+                        SunbeamResult.UNUSABLE_INPUT,
+                        "'yes' is neither a built-in patch nor an existing file; a name with blanks needs quotes");
     }
 
     private void assertRefused(int exitCode, String options, String words) throws Exception {
@@ -187,15 +191,15 @@ class BadInputTest extends InWorkplace {
 
     @Test
     void aFolderThatIsNotThere() throws Exception {
-        blaze("brdf-map --size 8 --output maps/map.png").complains(SunbeamResult.CANNOT_WRITE,
-                "cannot write maps/map.png",
-                "does not exist; create it first");
+        blaze("brdf-map --size 8 --output maps/map.png")
+                .complains(SunbeamResult.CANNOT_WRITE, "cannot write maps/map.png", "does not exist; create it first");
         assertThat(workplace.files()).isEmpty();
     }
 
     @Test
     void aFolderInPlaceOfAFile() throws Exception {
-        blaze("brdf-map --size 8 --output .").complains(SunbeamResult.CANNOT_WRITE, "it is a folder; name a file in it");
+        blaze("brdf-map --size 8 --output .")
+                .complains(SunbeamResult.CANNOT_WRITE, "it is a folder; name a file in it");
         assertThat(workplace.files()).isEmpty();
     }
 
@@ -209,8 +213,10 @@ class BadInputTest extends InWorkplace {
         assumeTrue(Files.exists(Path.of("/dev/full")), "skipped: no /dev/full, the disk that is always full");
         writeDirections();
 
-        blaze(commandLine + " /dev/full").complains(SunbeamResult.CANNOT_WRITE,
-                "cannot write /dev/full: No space left on device; free some space or choose another folder");
+        blaze(commandLine + " /dev/full")
+                .complains(
+                        SunbeamResult.CANNOT_WRITE,
+                        "cannot write /dev/full: No space left on device; free some space or choose another folder");
         assertThat(workplace.files()).containsExactly("in.csv");
     }
 

@@ -12,11 +12,11 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.assertj.core.data.Offset;
-import sunbeam.acceptance.NpyImage.NpzFile;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.acceptance.NpyImage.NpzFile;
 
 /** Exported arrays hold the values of {@code reflectance}; materials for Mitsuba and Cycles made of exported tables. */
 class ExportArrayTest extends InOneWorkplace {
@@ -137,8 +137,9 @@ class ExportArrayTest extends InOneWorkplace {
     @ParameterizedTest
     @CsvSource({"npz, 1B, --size 1 B", "html, 1kB, --size 1.0 kB", "bsdf, 10kB, --size"})
     void aSizeThatHoldsNoTableIsToldInALine(String format, String size, String named) throws Exception {
-        workplace.here("export blaze --format %s --output none.%s --size %s", format, format, size).complains(SunbeamResult.USAGE,
-                named);
+        workplace
+                .here("export blaze --format %s --output none.%s --size %s", format, format, size)
+                .complains(SunbeamResult.USAGE, named);
         assertThat(workplace.resolve("none." + format)).doesNotExist();
     }
 

@@ -18,11 +18,11 @@ import java.util.List;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.assertj.core.data.Offset;
-import sunbeam.acceptance.NpyImage.NpzFile;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.acceptance.NpyImage.NpzFile;
 import sunbeam.precompute.color.CieLab;
 
 /** Exported tables, read by other programs, hold the values of {@code reflectance}. */

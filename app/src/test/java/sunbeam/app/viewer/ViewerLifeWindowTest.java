@@ -135,7 +135,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
 
     @Test
     void closedDuringALoadItEnds() throws Exception {
-        Path patch = PatchFiles.descriptor(folder, "waves");
+        Path patch = Pictures.descriptor(folder, "waves");
         onEvents(() -> {
             viewer.files.loadPatch(patch);
             viewer.window.dispatchEvent(new WindowEvent(viewer.window, WindowEvent.WINDOW_CLOSING));

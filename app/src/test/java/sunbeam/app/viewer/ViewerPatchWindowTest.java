@@ -29,7 +29,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     void aPatchIsLoadedAndThePictureFollows() throws Exception {
         BufferedImage before = picture();
         int panelBefore = onEvents(() -> viewer.window.controls.getWidth());
-        Path file = PatchFiles.descriptor(folder, "waves");
+        Path file = Pictures.descriptor(folder, "waves");
         load(file);
         awaitPatch(file.toString());
         awaitFinal();
@@ -54,7 +54,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     @Test
     void remarksAboutAPatchStandBesideItsNameAndNotInTheMessage() throws Exception {
         assertThat(onEvents(() -> caption().getText())).isEqualTo("Patch");
-        PatchFiles.image(folder, "coarse.png");
+        Pictures.image(folder, "coarse.png");
         // The image has 8 bits, so one gray level is 4 nm.
         Path file = Files.writeString(folder.resolve("coarse.json"), descriptor("coarse.png", "2 um"));
         load(file);
@@ -95,7 +95,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
 
     @Test
     void anImageIsAskedForItsScale() throws Exception {
-        Path file = PatchFiles.image(folder, "waves.png");
+        Path file = Pictures.image(folder, "waves.png");
         SwingUtilities.invokeLater(() -> viewer.files.loadPatch(file));
         Dialogs.answer("Scale of waves.png", "Cancel");
         assertThat(modelScene()).isEqualTo(scene());
@@ -127,7 +127,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     @Test
     void whileAPatchIsLoadedTheStatusNamesItAndTheOldPictureIsDimmedAndNotFinal() throws Exception {
         int before = brightness(onEvents(() -> painted(viewer.window.picture)));
-        Path file = PatchFiles.descriptor(folder, "next");
+        Path file = Pictures.descriptor(folder, "next");
         onEvents(() -> {
             viewer.files.loadPatch(file);
             // Nothing is loaded yet, since results come back on this thread.
@@ -160,7 +160,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
 
     @Test
     void aSceneThatIsSavedAndLoadedAgainShowsTheSamePicture() throws Exception {
-        Path patch = PatchFiles.descriptor(folder, "waves");
+        Path patch = Pictures.descriptor(folder, "waves");
         onEvents(() -> {
             viewer.files.loadPatch(patch);
             viewer.model.change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 0.3))

@@ -1,22 +1,38 @@
 package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static sunbeam.app.viewer.Pictures.different;
 import static sunbeam.app.viewer.Pictures.shownPixels;
 import static sunbeam.app.viewer.Pictures.spectralPixels;
 
 import java.awt.Dimension;
 import java.awt.Frame;
+import java.awt.Point;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.render.TimedTiles;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.ScenePresenter.Overlay;
+import sunbeam.app.viewer.components.Divider;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
 
-/** The viewer in a real window, driven by a robot; windows that are made small, hidden, minimized and large again. */
+/** The viewer in a real window, driven by a robot: small, hidden and large again; and another method beside the scene's own. */
 @Tag("window")
 final class ViewerWindowTest extends ViewerInAWindow {
     @Test
@@ -131,5 +147,107 @@ final class ViewerWindowTest extends ViewerInAWindow {
 
     private void moveLight() throws Exception {
         change(scene -> scene.withLight(OTHER));
+    }
+
+    private static final int TOP_LABELS = 40;
+    // Columns on either side that the line and its handle cover.
+    private static final int LINE = 8;
+
+    @Test
+    void theThesisStandsToTheRightOfALineThatIsDragged() throws Exception {
+        // The comparison uses the exposure of the scene's own picture.
+        change(scene -> scene.with(Choices.none().with(SceneSettings.EXPOSURE, OptionalDouble.of(0.7))));
+        awaitFinal();
+        Scene scene = modelScene();
+        BufferedImage own = picture();
+        choose("comparison", "full, thesis");
+        BufferedImage both = awaitOther();
+        BufferedImage thesis = thesis("thesis");
+        int middle = own.getWidth() / 2;
+        assertSame(both, own, 0, middle - LINE);
+        assertSame(both, thesis, middle + LINE, own.getWidth());
+        assertThat(different(own, thesis, false)).as("the methods differ").isPositive();
+
+        Point line = middle(0);
+        arrivals.await(MouseEvent.MOUSE_RELEASED, 1, () -> {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseMove(line.x + 60, line.y);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        });
+        assertThat(modelScene()).as("turned by no drag of the line").isEqualTo(scene);
+        BufferedImage dragged = shown();
+        assertSame(dragged, own, 0, middle + 60 - LINE);
+        assertSame(dragged, thesis, middle + 60 + LINE, own.getWidth());
+        press(KeyEvent.VK_ALT, KeyEvent.VK_LEFT);
+        await(() -> onEvents(() -> divider().share()) < 0.5 + 60.0 / own.getWidth());
+
+        arrivals.await(KeyEvent.KEY_PRESSED, 1, () -> robot.keyPress(KeyEvent.VK_SPACE));
+        await(() -> different(shown(), dragged, false) > 0);
+        assertSame(shown(), thesis, LINE, own.getWidth());
+        arrivals.await(KeyEvent.KEY_RELEASED, 1, () -> robot.keyRelease(KeyEvent.VK_SPACE));
+
+        press(KeyEvent.VK_RIGHT);
+        awaitOnEvents(() -> !divider().isFinal());
+        awaitFinal();
+        BufferedImage lit = awaitOther();
+        int edge = (int) onEvents(() -> divider().share() * own.getWidth()).doubleValue();
+        assertSame(lit, picture(), 0, edge - LINE);
+        assertSame(lit, thesis("lit"), edge + LINE, own.getWidth());
+        choose("comparison", "off");
+        awaitOnEvents(() -> !divider().isFinal());
+        assertSame(shown(), picture(), 0, own.getWidth());
+    }
+
+    @Test
+    void bothSidesHaveTheGround() throws Exception {
+        change(scene -> scene.with(Choices.none()
+                .with(SceneSettings.GROUND, Optional.of(SceneColor.parse("#a0a0a0")))
+                .with(SceneSettings.BACKGROUND, SceneColor.parse("#ff00ff"))
+                .with(SceneSettings.SKY, 0.5)
+                .with(SceneSettings.SHADOWS, true)));
+        awaitFinal();
+        choose("comparison", "full, thesis");
+        BufferedImage both = awaitOther();
+        int own = picture().getRGB(both.getWidth() - 1, both.getHeight() - 1);
+        int other = both.getRGB(both.getWidth() - 1, both.getHeight() - 1);
+        for (int shift = 0; shift < 24; shift += 8) {
+            // The thesis's primaries have another white: a tenth of a channel. The background is 255, 0, 255.
+            assertThat(other >> shift & 255).isCloseTo(own >> shift & 255, within(12));
+        }
+    }
+
+    private BufferedImage shown() throws Exception {
+        return onEvents(() -> painted(viewer.window.picture));
+    }
+
+    private Divider divider() {
+        return viewer.window.picture.divider;
+    }
+
+    private BufferedImage awaitOther() throws Exception {
+        awaitOnEvents(() -> divider().isFinal());
+        return shown();
+    }
+
+    /** Returns the picture that the command render draws with the thesis's preset. */
+    private BufferedImage thesis(String name) throws Exception {
+        Scene scene = modelScene();
+        return rendered(
+                name,
+                scene.withMethod(new SceneMethod(Choices.none()
+                        .with(Methods.METHOD, FullMethod.TYPE)
+                        .with(MethodSettings.PRESET, Preset.THESIS)
+                        .with(MethodSettings.COHERENCE_LENGTH, 15e-6))));
+    }
+
+    /** Asserts that both are equal in these columns, below the labels. */
+    private static void assertSame(BufferedImage one, BufferedImage other, int from, int to) {
+        int height = one.getHeight() - TOP_LABELS;
+        assertThat(different(
+                        one.getSubimage(from, TOP_LABELS, to - from, height),
+                        other.getSubimage(from, TOP_LABELS, to - from, height),
+                        false))
+                .as("pixels that differ in columns %s to %s", from, to)
+                .isZero();
     }
 }
