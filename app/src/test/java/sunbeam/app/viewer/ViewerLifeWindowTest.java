@@ -127,20 +127,9 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             viewer.model.change(ViewerLifeWindowTest::costly);
             viewer.window.setSize(1100, 800);
         });
-        await(() -> loaded().suits(modelScene())
-                && onEvents(() -> viewer.presenter.finished().isEmpty()));
-        closeWindow();
-        assertEnd();
-    }
-
-    @Test
-    void closedDuringALoadItEnds() throws Exception {
-        Path patch = Pictures.descriptor(folder, "waves");
-        onEvents(() -> {
-            viewer.files.loadPatch(patch);
-            viewer.window.dispatchEvent(new WindowEvent(viewer.window, WindowEvent.WINDOW_CLOSING));
-        });
-        assertEnd();
+        await(() -> loaded().suits(modelScene()) && onEvents(() -> viewer.presenter.finished().isEmpty()));
+        onEvents(() -> viewer.window.dispatchEvent(new WindowEvent(viewer.window, WindowEvent.WINDOW_CLOSING)));
+        assertThat(viewer.awaitEnd(PATIENCE_MILLISECONDS)).isTrue();
     }
 
     @Test
@@ -150,7 +139,8 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             viewer.files.savePicture(picture);
             viewer.quit();
         });
-        assertEnd();
+        assertThat(viewer.awaitEnd(PATIENCE_MILLISECONDS)).isTrue();
+        assertThat(message()).doesNotContainIgnoringCase("cannot").doesNotContain("bug");
         assertThat(different(ImageIO.read(picture.toFile()), picture(), false)).isZero();
     }
 
@@ -183,18 +173,8 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
         assertThat(process.exitValue()).isZero();
     }
 
-    /** Asserts that the render thread ends; it ends only after OpenGL is closed. */
-    private void assertEnd() throws Exception {
-        assertThat(viewer.awaitEnd(PATIENCE_MILLISECONDS)).isTrue();
-        assertThat(message()).doesNotContainIgnoringCase("cannot").doesNotContain("bug");
-    }
-
     private static Scene costly(Scene scene) {
         return scene.with(Choices.none().with(MethodSettings.TOLERANCE, 1e-3));
-    }
-
-    private void closeWindow() throws Exception {
-        onEvents(() -> viewer.window.dispatchEvent(new WindowEvent(viewer.window, WindowEvent.WINDOW_CLOSING)));
     }
 
     /** The program with a thread that closes the window before the first picture or during its refinement. */

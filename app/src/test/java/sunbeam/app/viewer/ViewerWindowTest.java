@@ -28,19 +28,22 @@ import sunbeam.app.viewer.ScenePresenter.Overlay;
 import sunbeam.app.viewer.components.Divider;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 
 /** The viewer in a real window, driven by a robot: small, hidden and large again; and another method beside the scene's own. */
 @Tag("window")
 final class ViewerWindowTest extends ViewerInAWindow {
     @Test
-    void rightDragMovesTheLightColorsChangeAndGeometryDoesNot() throws Exception {
+    void rightDragMovesTheLightColorsChangeAndGeometryDoesNotAndEachFinalPictureIsWhatRenderWrites() throws Exception {
         BufferedImage before = picture();
+        assertThat(before.getWidth()).as("drawn in several tiles").isGreaterThan(2 * TimedTiles.LARGEST);
+        assertThat(different(before, rendered("before"), false)).isZero();
         drag(InputEvent.BUTTON3_DOWN_MASK);
         awaitFinal();
         BufferedImage after = picture();
+        assertThat(different(after, rendered("after"), false)).isZero();
         assertThat(shownPixels(before))
                 .as("pixels of the model")
                 .isBetween(100, before.getWidth() * before.getHeight() - 100);
@@ -51,15 +54,6 @@ final class ViewerWindowTest extends ViewerInAWindow {
         assertThat(different(before, after, true))
                 .as("pixels of another silhouette")
                 .isZero();
-    }
-
-    @Test
-    void theFinalPictureIsWhatRenderWritesAlsoAfterTheLightHasMoved() throws Exception {
-        assertThat(picture().getWidth()).as("drawn in several tiles").isGreaterThan(2 * TimedTiles.LARGEST);
-        assertThat(different(picture(), rendered("before"), false)).isZero();
-        drag(InputEvent.BUTTON3_DOWN_MASK);
-        awaitFinal();
-        assertThat(different(picture(), rendered("after"), false)).isZero();
     }
 
     @Test
