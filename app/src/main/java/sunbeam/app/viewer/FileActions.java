@@ -139,29 +139,28 @@ public final class FileActions {
             window.status.message("cannot load " + file + ": there is no such file");
             return;
         }
+        Choices named = Choices.at(ControlOrigin.INSTANCE)
+                .with(PatchSettings.PATCH, file.toAbsolutePath().toString());
+        boolean hasScales = file.toString().toLowerCase(Locale.ROOT).endsWith(".json") || PatchLoader.isScan(file);
         try {
-            patch(file).ifPresent(request -> model.change(scene -> scene.withOwnPatch(request)));
+            (hasScales ? Optional.of(named) : askForScales(file, named))
+                    .map(PatchRequest::new)
+                    .ifPresent(request -> model.change(scene -> scene.withOwnPatch(request)));
         } catch (SettingException failure) {
             window.status.message(failure.getMessage());
         }
     }
 
-    /** A dialog asks for the scales of an image; empty if the user cancels it. Other files contain theirs. */
-    private Optional<PatchRequest> patch(Path file) {
-        Choices named = Choices.at(ControlOrigin.INSTANCE)
-                .with(PatchSettings.PATCH, file.toAbsolutePath().toString());
-        if (file.toString().toLowerCase(Locale.ROOT).endsWith(".json") || PatchLoader.isScan(file)) {
-            return Optional.of(new PatchRequest(named));
-        }
+    /** Adds the scales of an image, which a dialog asks for; empty if the user cancels it. */
+    private Optional<Choices> askForScales(Path file, Choices named) {
         JPanel form = new JPanel(new GridLayout(2, 2, 8, 6));
         JTextField width = field(form, PatchSettings.WIDTH);
         JTextField maxHeight = field(form, PatchSettings.MAX_HEIGHT);
         if (!confirms(form, "Scale of " + file.getFileName(), JOptionPane.PLAIN_MESSAGE)) {
             return Optional.empty();
         }
-        Choices scales = named.parsed(PatchSettings.WIDTH, width.getText(), ControlOrigin.INSTANCE)
-                .parsed(PatchSettings.MAX_HEIGHT, maxHeight.getText(), ControlOrigin.INSTANCE);
-        return Optional.of(new PatchRequest(scales));
+        return Optional.of(named.parsed(PatchSettings.WIDTH, width.getText(), ControlOrigin.INSTANCE)
+                .parsed(PatchSettings.MAX_HEIGHT, maxHeight.getText(), ControlOrigin.INSTANCE));
     }
 
     private boolean confirms(Object question, String title, int type) {
@@ -201,9 +200,9 @@ public final class FileActions {
         Path file = pictureWaiting;
         pictureWaiting = null;
         ViewState state = finished.state();
-        Stage.Final picture = finished.picture();
         String renderer = viewer.presenter.renderer;
         save(file, () -> {
+            Stage.Final picture = finished.picture();
             Scene scene = state.firstPart().scene();
             PixelSamples samples = PixelSamples.inWindow(scene.method(), state.width(), state.height());
             FrameText text = new FrameText(state.scene().parts(), state.width(), state.height(), samples, "");

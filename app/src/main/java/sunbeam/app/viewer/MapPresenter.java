@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import javax.swing.SwingUtilities;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.render.SceneData;
@@ -11,6 +12,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.components.MapView;
 import sunbeam.app.viewer.components.MapView.GratingOrders;
 import sunbeam.app.viewer.components.SkinPoint;
+import sunbeam.app.viewer.loop.Stage.MapRequest;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
@@ -23,7 +25,9 @@ final class MapPresenter {
 
     private final Viewer viewer;
     private final MapView view;
-    private Optional<Direction> light = Optional.empty();
+    // Newest map, null if none is visible, and the displayed one.
+    private MapRequest newest;
+    private MapRequest displayed;
     private Patch patch;
     private Optional<GratingPeriod> period = Optional.empty();
 
@@ -32,15 +36,12 @@ final class MapPresenter {
         view = viewer.window.map;
     }
 
-    int region() {
-        return viewer.inspector.point().map(point -> point.pick().region()).orElse(0);
-    }
-
-    /**
-     * Marks the map as outdated by the newest scene. Returns the direction to the light in the map's tangent frame; empty if the light is
-     * behind the skin.
-     */
-    Optional<Direction> follow() {
+    /** Marks the map as outdated by the newest scene. */
+    void follow(boolean isVisible) {
+        newest = null;
+        if (!isVisible) {
+            return;
+        }
         Optional<SkinPoint> picked = viewer.inspector.point();
         Scene scene = viewer.model.scene();
         Vector3fc toLight = scene.light().towards();
@@ -50,20 +51,33 @@ final class MapPresenter {
                 picked.map(point -> point.light(toLight)).orElseGet(() -> new Direction(seen.x, seen.y, seen.z));
         if (towards.z() < LOWEST_LIGHT) {
             view.clear("the light is behind the skin here");
-            return Optional.empty();
+            return;
         }
+        newest = new MapRequest(
+                towards, picked.map(point -> point.pick().region()).orElse(0));
         view.newest(false);
         view.mark(
                 picked.map(point -> point.pick().wr()),
                 picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you");
-        return Optional.of(towards);
     }
 
-    void show(BufferedImage image, Optional<Direction> towards, boolean isNewest) {
-        light = towards;
+    /** Requests the final map, or a preview unless the newest map is displayed. */
+    void request(boolean isFinal) {
+        MapRequest request = newest;
+        if (request != null && (isFinal || request != displayed)) {
+            viewer.loop.submit(stage -> stage.map(
+                    request,
+                    isFinal,
+                    viewer.loop::isOutdated,
+                    (image, isWhole) -> SwingUtilities.invokeLater(() -> show(request, image, isWhole))));
+        }
+    }
+
+    private void show(MapRequest request, BufferedImage image, boolean isFinal) {
+        displayed = request;
         view.show(image);
         markOrders();
-        if (isNewest) {
+        if (isFinal && request == newest) {
             view.newest(true);
             findPeriod();
         }
@@ -71,7 +85,7 @@ final class MapPresenter {
 
     private Optional<Patch> wantedPatch() {
         return viewer.model.loaded().stream()
-                .flatMap(loaded -> loaded.ofRegion(region()).stream())
+                .flatMap(loaded -> loaded.ofRegion(displayed.region()).stream())
                 .findFirst()
                 .map(SceneData::patch);
     }
@@ -100,7 +114,7 @@ final class MapPresenter {
                 wantedPatch().filter(wanted -> wanted == patch).flatMap(wanted -> period);
         List<GratingOrders> orders = known.filter(GratingPeriod::isSeen).stream()
                 .flatMap(found -> Stream.concat(Stream.of(found.wave()), found.others().stream()))
-                .flatMap(wave -> light.map(towards -> new GratingOrders(wave, towards)).stream())
+                .map(wave -> new GratingOrders(wave, displayed.light()))
                 .toList();
         String words = known.map(found -> found.isSeen()
                         ? "The period is " + found.estimate() + "."

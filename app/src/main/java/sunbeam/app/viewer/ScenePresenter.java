@@ -121,18 +121,25 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         if (failed || width < 1 || height < 1 || model.loaded().isEmpty()) {
             return;
         }
-        requested = new ViewState(
-                model.loaded().get(),
-                width,
-                height,
-                shows(Overlay.MAP) ? map.follow() : Optional.empty(),
-                map.region(),
-                false);
+        map.follow(shows(Overlay.MAP));
+        ViewState next = new ViewState(model.loaded().get(), width, height, false);
+        if (requested != null && next.showsThePictureOf(requested)) { // as after a pick
+            finished().ifPresent(whole -> viewer.inspector.measure());
+            map.request(finished().isPresent());
+            return;
+        }
+        requested = next;
         splitView.outdated();
         removeStrokes();
         window.status.outdated();
         measurement.ifPresent(measured -> measured.requested(requested));
         viewer.loop.show(requested);
+    }
+
+    /** Draws the comparison method's picture anew if another method is chosen. */
+    void compare() {
+        splitView.outdated();
+        finished().ifPresent(splitView::begin);
     }
 
     /** Dims the picture and shows what loads while the newest scene's mesh, patches or method are not on screen. */
@@ -203,6 +210,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             splitView.refused(message);
             return;
         }
+        requested = null;
         window.status.message(message);
         window.status.refused();
         noPicture(message);
@@ -232,6 +240,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         }
         viewer.journal.reached(preview.hasColors() ? "first picture" : "body");
         window.status.preview(preview.divisor(), isNew);
+        map.request(false);
         // Runs after Swing has painted the picture.
         SwingUtilities.invokeLater(() -> measurement.ifPresent(measured -> measured.shown(state, preview.divisor())));
     }
@@ -257,6 +266,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         viewer.files.writeWaiting();
         viewer.inspector.measure();
         if (state == requested) {
+            map.request(true);
             window.status.complete(finished.nanoseconds());
             requestStrokes();
             splitView.begin(finished);
@@ -281,10 +291,5 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         }
         window.picture.showTile(image, x, y);
         window.status.progress(shareDone, "Preview, %.0f %% final");
-    }
-
-    @Override
-    public void map(ViewState state, BufferedImage image, boolean isFinal) {
-        map.show(image, state.mapLight(), isFinal && state == requested);
     }
 }

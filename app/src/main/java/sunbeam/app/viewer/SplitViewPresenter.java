@@ -1,7 +1,6 @@
 package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -68,7 +67,7 @@ final class SplitViewPresenter {
                 && loaded.firstPart().mesh() == shown.firstPart().mesh()
                 && loaded.firstPart().suits(scene)) {
             loaded = loaded.with(scene);
-            requested = new ViewState(loaded, shown.width(), shown.height(), Optional.empty(), 0, true);
+            requested = new ViewState(loaded, shown.width(), shown.height(), true);
             divider.show(null, words(shown), words(requested) + ", being drawn", false);
             viewer.loop.show(requested);
             return;

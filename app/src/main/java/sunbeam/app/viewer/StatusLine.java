@@ -31,7 +31,8 @@ public final class StatusLine extends JPanel {
     private int frames;
     private long rateStart;
     private String rate = "";
-    // Text about a running load, shown instead of texts about the outdated picture; empty if none.
+    // Text about the picture; and about a running load, which is shown instead, empty if none.
+    private String aboutPicture = "";
     private String loading = "";
     private String progressPattern = "";
     private long progressStart;
@@ -128,6 +129,7 @@ public final class StatusLine extends JPanel {
 
     void loaded() {
         loading = "";
+        picture.setText(aboutPicture);
     }
 
     private void report(String text) {
@@ -137,6 +139,7 @@ public final class StatusLine extends JPanel {
     }
 
     private void show(String text) {
+        aboutPicture = text;
         if (loading.isEmpty()) {
             picture.setText(text);
         }

@@ -81,7 +81,7 @@ public final class Viewer {
             inspector = new PointInspector(this);
             files = new FileActions(this, recent);
             presenter = new ScenePresenter(this, loader);
-            window.controls.comparison.addActionListener(event -> presenter.show());
+            window.controls.comparison.addActionListener(event -> presenter.compare());
             Toolkit.getDefaultToolkit().addAWTEventListener(dragListener, AWTEvent.MOUSE_EVENT_MASK);
             model.setListener(presenter);
             window.addWindowListener(new WindowAdapter() {

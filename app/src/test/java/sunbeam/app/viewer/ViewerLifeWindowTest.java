@@ -127,7 +127,8 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             viewer.model.change(ViewerLifeWindowTest::costly);
             viewer.window.setSize(1100, 800);
         });
-        await(() -> loaded().suits(modelScene()) && onEvents(() -> viewer.presenter.finished().isEmpty()));
+        await(() -> loaded().suits(modelScene())
+                && onEvents(() -> viewer.presenter.finished().isEmpty()));
         onEvents(() -> viewer.window.dispatchEvent(new WindowEvent(viewer.window, WindowEvent.WINDOW_CLOSING)));
         assertThat(viewer.awaitEnd(PATIENCE_MILLISECONDS)).isTrue();
     }

@@ -70,17 +70,13 @@ public final class PickPanel extends JPanel {
         Readout(String hint, SpectrumPlot.Curve curve) {
             this.hint = hint;
             this.curve = curve;
-            text = new JTextArea(hint, 8, 32) {
-                @Override
-                public Dimension getMaximumSize() {
-                    return new Dimension(Short.MAX_VALUE, getPreferredSize().height);
-                }
-            };
+            text = new JTextArea(hint, 8, 32);
             text.setEditable(false);
             text.setOpaque(false);
             // Do not scroll to each new text.
             ((DefaultCaret) text.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
             text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 11));
+            text.setMaximumSize(new Dimension(Short.MAX_VALUE, text.getPreferredSize().height));
             text.setName("pick");
             text.setToolTipText("Vectors in world space, no unit; angles to the normal and around it in degrees");
             color.setPreferredSize(new Dimension(60, 22));

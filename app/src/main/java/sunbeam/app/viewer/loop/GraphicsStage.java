@@ -4,9 +4,6 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
@@ -25,7 +22,6 @@ import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.model.Background;
-import sunbeam.precompute.optics.Direction;
 
 /** Renderer of viewer states by OpenGL: owns the context, both methods' sessions and the drawing of the BRDF map. */
 public final class GraphicsStage implements Stage {
@@ -41,7 +37,7 @@ public final class GraphicsStage implements Stage {
     private final RenderContext context = RenderContext.offscreen();
     private final MapStage map = new MapStage(context);
     // One thread, since a color source may be bound to the thread that created it.
-    private final ExecutorService baking = Executors.newSingleThreadExecutor(Background.threads("colors"));
+    private final Background baking = new Background("colors");
     private final CachedExposure exposures = new CachedExposure();
     private final StageSessions own = new StageSessions(context);
     private final StageSessions other = new StageSessions(context);
@@ -66,9 +62,7 @@ public final class GraphicsStage implements Stage {
         StageSessions sessions = next.isOther() ? other : own;
         sessions.update(next.scene().parts());
         current = sessions;
-        if (state == null || !next.showsThePictureOf(state)) {
-            metered = OptionalDouble.empty();
-        }
+        metered = OptionalDouble.empty();
         state = next;
         current.colors().forEach(colors -> colors.bakeOn(baking, arrived));
     }
@@ -269,27 +263,26 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public void map(
-            ViewState shown, boolean isFinal, BooleanSupplier interrupted, BiConsumer<BufferedImage, Boolean> drawn) {
-        if (shown.isOther()) {
-            return;
-        }
+            MapRequest request,
+            boolean isFinal,
+            BooleanSupplier interrupted,
+            BiConsumer<BufferedImage, Boolean> drawn) {
         map.cancel();
-        if (shown.mapLight().isEmpty()) {
+        List<SceneSession> parts = own.parts.stream()
+                .filter(part -> part.data().region() == request.region())
+                .toList();
+        if (parts.isEmpty()) {
             return;
         }
-        Direction light = shown.mapLight().get();
-        List<SceneSession> parts = current.parts.stream()
-                .filter(part -> part.data().region() == shown.mapRegion())
-                .toList();
-        if (current.colors().findAny().isEmpty()) {
+        if (own.colors().findAny().isEmpty()) {
             // A map without color tables takes as long as a picture.
             if (!isMoving) {
-                map.draw(parts.get(0).method(), light, isFinal, interrupted, drawn);
+                map.draw(parts.get(0).method(), request.light(), isFinal, interrupted, drawn);
             }
         } else if (isFinal) {
-            map.drawLater(parts, light, drawn);
-        } else if (isMoving && hasCoarsest()) {
-            map.drawCoarse(parts, light, drawn);
+            map.drawLater(parts, request.light(), drawn);
+        } else if (isMoving && own.colors().allMatch(VirtualTexture::hasCoarsest)) {
+            map.drawCoarse(parts, request.light(), drawn);
         }
     }
 
@@ -299,8 +292,8 @@ public final class GraphicsStage implements Stage {
             map.cancel();
             own.close();
             other.close();
-            baking.shutdown();
-            baking.awaitTermination(PATIENCE_MILLISECONDS, TimeUnit.MILLISECONDS);
+            baking.finish();
+            baking.awaitEnd(PATIENCE_MILLISECONDS);
         } catch (InterruptedException closing) {
             Thread.currentThread().interrupt();
         } finally {

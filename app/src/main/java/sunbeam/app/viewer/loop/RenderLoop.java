@@ -12,7 +12,6 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import java.util.function.Predicate;
 import java.util.function.Supplier;
 import sunbeam.app.failure.Failure;
 import sunbeam.app.render.SceneLoader.SceneShape;
@@ -47,8 +46,6 @@ public final class RenderLoop implements AutoCloseable {
         void waiting(double share);
 
         void tile(ViewState state, BufferedImage image, int x, int y, double shareDone);
-
-        void map(ViewState state, BufferedImage image, boolean isFinal);
     }
 
     /** Phase of the picture on screen. */
@@ -167,7 +164,7 @@ public final class RenderLoop implements AutoCloseable {
         // If this state cannot be drawn (out of memory, invalid scene), report it and wait for the next one.
         try {
             boolean hasMoreTiles = stage.takeTiles();
-            take(any -> true).ifPresent(next -> begin(stage, next));
+            Optional.ofNullable(newest.getAndSet(null)).ifPresent(next -> begin(stage, next));
             if (phase == Phase.MOVING && isStill()) {
                 settle(stage);
             } else if (phase == Phase.WAITING_FOR_TILES && hasMoreTiles) {
@@ -191,23 +188,20 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Shows a new state at once. If only its BRDF map differs, the picture continues in its phase. */
+    /** Shows a new state at once. */
     private void begin(Stage stage, ViewState next) {
-        boolean isSame = phase != Phase.EMPTY && phase != Phase.MOVING && next.showsThePictureOf(state);
         Finished last = finished.get(next.isOther());
-        boolean isFinished = last != null && next.showsThePictureOf(last.state());
         // update() throws before anything changes, so a failure leaves the old picture on screen.
         stage.update(next, events::release);
         state = next;
-        if (isFinished) {
+        if (last != null && next.showsThePictureOf(last.state())) {
             stage.interactive(false);
             complete(stage, last.picture(), last.nanoseconds());
-        } else if (!isSame) {
+        } else {
             phase = Phase.MOVING;
             stage.interactive(true);
             // A newer state interrupts the comparison's preview, but not the preview of the scene's own method.
             show(stage.moving(next.isOther() ? this::isInterrupted : () -> isClosed));
-            map(stage, false);
             previewEnd = clock.getAsLong();
         }
     }
@@ -240,13 +234,15 @@ public final class RenderLoop implements AutoCloseable {
             news.accept(to -> to.waiting(share));
         } else {
             phase = Phase.REFINING;
-            map(stage, false);
         }
     }
 
     private void refine(Stage stage) {
         ViewState begun = state;
-        BooleanSupplier interrupted = () -> isOvertaken(stage, begun);
+        BooleanSupplier interrupted = () -> {
+            doTasks(stage);
+            return isInterrupted();
+        };
         for (var finer = stage.finer(interrupted); finer.isPresent(); finer = stage.finer(interrupted)) {
             show(finer);
         }
@@ -260,25 +256,14 @@ public final class RenderLoop implements AutoCloseable {
                 .ifPresent(picture -> complete(stage, picture, clock.getAsLong() - start));
     }
 
-    /** Does waiting tasks and takes over a newer state of the same picture. Returns true if a newer state needs another picture. */
-    private boolean isOvertaken(Stage stage, ViewState begun) {
-        doTasks(stage);
-        take(begun::showsThePictureOf).ifPresent(same -> {
-            state = same;
-            map(stage, false);
-        });
-        return isInterrupted();
-    }
-
     private boolean isInterrupted() {
         return isClosed || newest.get() != null;
     }
 
-    /** Removes and returns the newest state if it is wanted. */
-    private Optional<ViewState> take(Predicate<ViewState> isWanted) {
+    /** True if a newer state of the scene's own method waits, or the end. */
+    public boolean isOutdated() {
         ViewState next = newest.get();
-        boolean isTaken = next != null && isWanted.test(next) && newest.compareAndSet(next, null);
-        return isTaken ? Optional.of(next) : Optional.empty();
+        return isClosed || (next != null && !next.isOther());
     }
 
     private void complete(Stage stage, Stage.Final picture, long nanoseconds) {
@@ -286,25 +271,6 @@ public final class RenderLoop implements AutoCloseable {
         Finished whole = new Finished(state, picture, nanoseconds);
         finished.put(state.isOther(), whole);
         news.accept(to -> to.complete(whole));
-        map(stage, true);
         stage.prefetch();
-    }
-
-    /** Draws the BRDF map; a failing map does not stop the picture. */
-    private void map(Stage stage, boolean isFinal) {
-        ViewState shown = state;
-        try {
-            stage.map(
-                    shown,
-                    isFinal,
-                    // The comparison method's state does not interrupt the map.
-                    () -> isClosed
-                            || Optional.ofNullable(newest.get())
-                                    .filter(next -> !next.isOther())
-                                    .isPresent(),
-                    (image, isWhole) -> news.accept(to -> to.map(shown, image, isWhole)));
-        } catch (RuntimeException | OutOfMemoryError failure) {
-            news.accept(to -> to.refused(Failure.of(failure).message()));
-        }
     }
 }

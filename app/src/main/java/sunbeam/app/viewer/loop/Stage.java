@@ -15,27 +15,31 @@ import sunbeam.precompute.optics.Direction;
 /** Renderer of viewer states in several qualities, driven by {@link RenderLoop}. Used by the render thread only. */
 public interface Stage extends AutoCloseable {
     /**
-     * Description of the picture and map that the window shows.
+     * Description of the picture that the window shows.
      *
-     * @param mapLight direction to the light of the BRDF map, tangent frame; empty if no map is visible
-     * @param mapRegion index of the map's patch among the scene's patches
-     * @param isOther true for the comparison method, which has no map
+     * @param isOther true for the comparison method
      */
-    record ViewState(
-            LoadedScene scene, int width, int height, Optional<Direction> mapLight, int mapRegion, boolean isOther) {
+    record ViewState(LoadedScene scene, int width, int height, boolean isOther) {
         public SceneData firstPart() {
             return scene.firstPart();
         }
 
-        /** True if the states differ at most in the BRDF map, as after a pick. */
         @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
-        boolean showsThePictureOf(ViewState other) {
+        public boolean showsThePictureOf(ViewState other) {
             return isOther == other.isOther
                     && firstPart() == other.firstPart()
                     && width == other.width
                     && height == other.height;
         }
     }
+
+    /**
+     * Description of the BRDF map beside the picture.
+     *
+     * @param light direction to the light, tangent frame
+     * @param region index of the map's patch among the scene's patches
+     */
+    record MapRequest(Direction light, int region) {}
 
     /**
      * Picture in less than final quality.
@@ -92,10 +96,12 @@ public interface Stage extends AutoCloseable {
     Optional<Final> refine(BooleanSupplier interrupted, PartListener drawn);
 
     /**
-     * Draws or queues the BRDF map of the state if the map is visible; replaces an unfinished map. A preview is omitted if it would delay
-     * the picture. {@code drawn} receives each map and true if it is final, on any thread; with color tables, after this method returns.
+     * Draws or queues the BRDF map by the scene's own method; replaces an unfinished map. A preview is omitted if it would delay the picture.
+     *
+     * @param drawn receives each map and true if it is final, on any thread; with color tables, after this method returns
      */
-    void map(ViewState state, boolean isFinal, BooleanSupplier interrupted, BiConsumer<BufferedImage, Boolean> drawn);
+    void map(
+            MapRequest request, boolean isFinal, BooleanSupplier interrupted, BiConsumer<BufferedImage, Boolean> drawn);
 
     /** Starts baking tiles that the next picture may need; called after the final picture. */
     void prefetch();

@@ -1,8 +1,8 @@
 package sunbeam.app.viewer.model;
 
 import java.util.concurrent.Callable;
+import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -10,20 +10,20 @@ import javax.swing.SwingUtilities;
 import sunbeam.app.failure.Failure;
 
 /** Sequential worker thread; results come back on the event thread. */
-public final class Background implements AutoCloseable {
+public final class Background implements Executor, AutoCloseable {
     private final ThreadPoolExecutor executor;
 
     public Background(String name) {
-        executor = new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), threads(name));
-    }
-
-    /** Returns a factory of daemon threads of one name. */
-    public static ThreadFactory threads(String name) {
-        return work -> {
+        executor = new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), work -> {
             Thread thread = new Thread(work, name);
             thread.setDaemon(true);
             return thread;
-        };
+        });
+    }
+
+    @Override
+    public void execute(Runnable work) {
+        executor.execute(work);
     }
 
     /**

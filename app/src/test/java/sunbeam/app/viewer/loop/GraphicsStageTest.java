@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Map;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
@@ -51,8 +50,7 @@ class GraphicsStageTest {
                         .with(SceneSettings.ROUGHNESS, Math.toRadians(2)));
         SceneLoader loader =
                 new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), line -> {});
-        ViewState state =
-                new ViewState(new LoadedScene(loader.parts(scene)), WIDTH, HEIGHT, Optional.empty(), 0, false);
+        ViewState state = new ViewState(new LoadedScene(loader.parts(scene)), WIDTH, HEIGHT, false);
         try (GraphicsStage stage = new GraphicsStage()) {
             stage.update(state, () -> {});
             await(stage, () -> stage.coarsestShare() == 1);

@@ -26,7 +26,6 @@ import sunbeam.app.scene.SceneLight;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ViewerInAWindow;
 import sunbeam.app.viewer.model.LoadedScene;
-import sunbeam.precompute.optics.Direction;
 
 /** Order of the render thread's work, with a simulated clock and a stage that draws nothing and lets events happen during its work. */
 final class RenderLoopTest {
@@ -83,7 +82,6 @@ final class RenderLoopTest {
         private ViewState shown;
         private boolean isFinal;
         private boolean isRefused;
-        private boolean isMapFinal;
         private int tasks;
         private int tasksDone;
 
@@ -115,7 +113,6 @@ final class RenderLoopTest {
                 assertThat(loop.phase).isEqualTo(RenderLoop.Phase.COMPLETE);
                 assertThat(shown).as("newest").isSameAs(asked);
                 assertThat(isFinal).as("final").isTrue();
-                assertThat(isMapFinal).as("map").isEqualTo(asked.mapLight().isPresent());
                 assertThat(isInteractive).isFalse();
             }
         }
@@ -144,13 +141,9 @@ final class RenderLoopTest {
         }
 
         private void ask() {
-            boolean isOther = random.nextInt(3) == 0;
-            Optional<Direction> light =
-                    !isOther && random.nextBoolean() ? Optional.of(new Direction(0, 0, 1)) : Optional.empty();
-            asked = new ViewState(scenes.get(random.nextInt(scenes.size())), 8, 8, light, 0, isOther);
+            asked = new ViewState(scenes.get(random.nextInt(scenes.size())), 8, 8, random.nextInt(3) == 0);
             isFinal = false;
             isRefused = false;
-            isMapFinal = false;
             loop.show(asked);
         }
 
@@ -277,13 +270,11 @@ final class RenderLoopTest {
 
         @Override
         public void map(
-                ViewState state,
-                boolean isWhole,
+                MapRequest request,
+                boolean isFinal,
                 BooleanSupplier interrupted,
                 BiConsumer<BufferedImage, Boolean> drawn) {
-            if (state.mapLight().isPresent() && !interrupted.getAsBoolean()) {
-                drawn.accept(image(), isWhole);
-            }
+            throw new UnsupportedOperationException();
         }
 
         @Override
@@ -352,11 +343,6 @@ final class RenderLoopTest {
         @Override
         public void tile(ViewState of, BufferedImage image, int x, int y, double shareDone) {
             assertNotAfterTheFinalOne(current);
-        }
-
-        @Override
-        public void map(ViewState state, BufferedImage image, boolean isWhole) {
-            isMapFinal = isWhole && state == asked;
         }
 
         private void assertNotAfterTheFinalOne(ViewState state) {
