@@ -225,4 +225,63 @@ class MeshFormatsTest extends MeshReading {
         assertThat(good).contains(from);
         assertRefused(good.replace(from, to), words);
     }
+
+    private static String header(int vertices, String element, String list) {
+        return "ply\nformat ascii 1.0\nelement vertex " + vertices
+                + "\nproperty float x\nproperty float y\nproperty float z\nelement " + element + "\nproperty list "
+                + list
+                + "\nend_header\n";
+    }
+
+    /** A strip of two triangles, an end, one of one triangle, an end. All face upwards. */
+    @Test
+    void stripsAreTriangles() throws IOException {
+        String header = header(5, "tristrips 1", "int int vertex_indices") + "0 0 0  1 0 0  0 1 0  1 1 0  2 2 0\n";
+        Mesh mesh = read(header + "9 0 1 2 3 -1 1 4 2 -1\n").mesh();
+        assertThat(mesh.triangles()).isEqualTo(3);
+        for (int triangle = 0; triangle < 3; triangle++) {
+            assertThat(MeshChecks.areaNormal(mesh, triangle).z).isPositive();
+        }
+        assertRefused(header + "4 0 1 2 5\n", "tristrips 0: it names vertex 5");
+        assertRefused(header + "4 0 1 2 -2\n", "tristrips 0: it names vertex -2");
+        assertRefused(header + "7000000 0 1 2\n", "0 to 6000000 can be used");
+        assertRefused(header.replace("vertex_indices", "strips") + "3 0 1 2\n", "no list vertex_indices");
+        assertRefused(header + "2 0 1\n", "no faces");
+    }
+
+    @Test
+    void invalidPlyIsRefusedInOneLine() {
+        String header = header(3, "face 1", "uchar int vertex_indices");
+        String places = "0 0 0\n1 0 0\n0 1 0\n";
+        assertRefused(header + places + "3 0 1 3\n", "face 0: it names vertex 3");
+        assertRefused(header + places + "2 0 1\n", "2 corners");
+        assertRefused(header + places + "3 0 1 0.5\n", "vertex 0.5");
+        assertRefused(header + places, "face 0: the file ends within it");
+        assertRefused(header + "0 0 0\n1 nan 0\n", "vertex 1: \"nan\" is no number");
+        assertRefused(header + "0 0 0\n1 NaN 0\n", "vertex 1: NaN is no finite number");
+        assertRefused(
+                header.replace("face 1", "face 10000000") + places, "10000000 rows of element face; at most 2000000");
+        assertRefused(header.replace("float z", "float w") + places, "not x, y and z");
+        assertRefused(header.replace("float z", "real z") + places, "line 6");
+        assertRefused(header.replace("vertex_indices", "corners") + places, "no list vertex_indices");
+        assertRefused("ply\nformat ascii 1.0\nend_header\n", "no face");
+        assertRefused("ply\n", "line 2 of the header");
+    }
+
+    @Test
+    void cornersOfPlyHaveTextureCoordinatesOfTheirOwn() throws IOException {
+        String text = header(4, "face 1", "uchar int vertex_index\nproperty list uchar float texcoord") + """
+                0 0 0
+                1 0 0
+                1 1 0
+                0 1 0
+                4 0 1 2 3 8 0 0 0 1 -1 1 -1 0
+                """;
+
+        Mesh mesh = read(text).mesh();
+
+        // u grows against y.
+        assertThat(mesh.triangles()).isEqualTo(2);
+        assertThat(mesh.tangents()).startsWith(0, -1, 0, 1);
+    }
 }

@@ -3,6 +3,7 @@ package sunbeam.app.scene.mesh;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -15,8 +16,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.text.Text;
 
-/** OBJ, and properties of PLY alone. */
+/** OBJ: its repair, units of its numbers, and coordinates of maps (UTM), thousands of kilometers from the origin. */
 class MeshReaderTest extends MeshReading {
     private static final String SQUARE = """
             v 0 0 0
@@ -199,62 +201,78 @@ class MeshReaderTest extends MeshReading {
                 .hasMessageEndingWith("large.obj: line 2000004: more than 2000000 triangles; simplify the mesh");
     }
 
-    private static String header(int vertices, String element, String list) {
-        return "ply\nformat ascii 1.0\nelement vertex " + vertices
-                + "\nproperty float x\nproperty float y\nproperty float z\nelement " + element + "\nproperty list "
-                + list
-                + "\nend_header\n";
-    }
+    @ParameterizedTest
+    @CsvSource({
+        // Size in the file, unit, words of the warning.
+        "1.3,   M,  ",
+        "1300,  M,  is 1300 m wide where 100 um to 10 m make sense; if its numbers are in mm give --mesh-unit mm",
+        "1300,  MM, ",
+        "1.3e6, M,  give --mesh-unit um",
+        "1.3e6, UM, ",
+        "1.3e-6, M, is 1.3 um wide where 100 um to 10 m make sense; scale it",
+        "20,    UM, if its numbers are in mm give --mesh-unit mm",
+    })
+    void aSizeThatMakesNoSenseIsNamedWithTheUnitThatHelps(double size, MeshSource.Unit unit, String words)
+            throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("mesh.obj"),
+                Text.format("v 0 0 0\nv 0 0 %1$s\nv 0 %2$s 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 1 0 0\n", size, size / 2)
+                        + "f 1/1/1 3/3/1 2/2/1\n");
 
-    /** A strip of two triangles, an end, one of one triangle, an end. All face upwards. */
-    @Test
-    void stripsAreTriangles() throws IOException {
-        String header = header(5, "tristrips 1", "int int vertex_indices") + "0 0 0  1 0 0  0 1 0  1 1 0  2 2 0\n";
-        Mesh mesh = read(header + "9 0 1 2 3 -1 1 4 2 -1\n").mesh();
-        assertThat(mesh.triangles()).isEqualTo(3);
-        for (int triangle = 0; triangle < 3; triangle++) {
-            assertThat(MeshChecks.areaNormal(mesh, triangle).z).isPositive();
+        MeshSource.Loaded read = MeshSource.read(file, unit);
+
+        // Rounded to float32.
+        assertThat(largest(read.mesh())).isCloseTo((float) (size * unit.meters), withinPercentage(1e-4));
+        if (words == null) {
+            assertThat(read.warnings()).isEmpty();
+        } else {
+            assertThat(read.warnings())
+                    .singleElement()
+                    .satisfies(line -> assertThat(line.replace(",", "")).contains(words));
         }
-        assertRefused(header + "4 0 1 2 5\n", "tristrips 0: it names vertex 5");
-        assertRefused(header + "4 0 1 2 -2\n", "tristrips 0: it names vertex -2");
-        assertRefused(header + "7000000 0 1 2\n", "0 to 6000000 can be used");
-        assertRefused(header.replace("vertex_indices", "strips") + "3 0 1 2\n", "no list vertex_indices");
-        assertRefused(header + "2 0 1\n", "no faces");
+    }
+
+    private static float largest(Mesh mesh) {
+        float largest = 0;
+        for (float value : mesh.positions()) {
+            largest = Math.max(largest, value);
+        }
+        return largest;
     }
 
     @Test
-    void invalidPlyIsRefusedInOneLine() {
-        String header = header(3, "face 1", "uchar int vertex_indices");
-        String places = "0 0 0\n1 0 0\n0 1 0\n";
-        assertRefused(header + places + "3 0 1 3\n", "face 0: it names vertex 3");
-        assertRefused(header + places + "2 0 1\n", "2 corners");
-        assertRefused(header + places + "3 0 1 0.5\n", "vertex 0.5");
-        assertRefused(header + places, "face 0: the file ends within it");
-        assertRefused(header + "0 0 0\n1 nan 0\n", "vertex 1: \"nan\" is no number");
-        assertRefused(header + "0 0 0\n1 NaN 0\n", "vertex 1: NaN is no finite number");
-        assertRefused(
-                header.replace("face 1", "face 10000000") + places, "10000000 rows of element face; at most 2000000");
-        assertRefused(header.replace("float z", "float w") + places, "not x, y and z");
-        assertRefused(header.replace("float z", "real z") + places, "line 6");
-        assertRefused(header.replace("vertex_indices", "corners") + places, "no list vertex_indices");
-        assertRefused("ply\nformat ascii 1.0\nend_header\n", "no face");
-        assertRefused("ply\n", "line 2 of the header");
+    void builtInMeshesHaveTheirOwnUnit() {
+        assertThatThrownBy(() -> new MeshSource("snake", MeshSource.Unit.CM).load())
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("snake is in meters");
+    }
+
+    private static String obj(Mesh mesh, Vector3d shift) {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < mesh.vertices(); i++) {
+            Vector3d p = MeshChecks.position(mesh, i).add(shift);
+            text.append(Text.format("v %.9f %.9f %.9f%n", p.x, p.y, p.z));
+        }
+        for (int i = 0; i < mesh.indices().length; i++) {
+            text.append(i % 3 == 0 ? "\nf " : " ").append(mesh.indices()[i] + 1);
+        }
+        return text.toString();
     }
 
     @Test
-    void cornersOfPlyHaveTextureCoordinatesOfTheirOwn() throws IOException {
-        String text = header(4, "face 1", "uchar int vertex_index\nproperty list uchar float texcoord") + """
-                0 0 0
-                1 0 0
-                1 1 0
-                0 1 0
-                4 0 1 2 3 8 0 0 0 1 -1 1 -1 0
-                """;
-
-        Mesh mesh = read(text).mesh();
-
-        // u grows against y.
-        assertThat(mesh.triangles()).isEqualTo(2);
-        assertThat(mesh.tangents()).startsWith(0, -1, 0, 1);
+    void shapesSurviveFarFromTheOrigin() throws IOException {
+        Mesh sphere = BuiltInMeshes.create("sphere");
+        Vector3d utm = new Vector3d(500_000, 5_400_000, 300);
+        MeshSource.Loaded far = read(obj(sphere, utm));
+        assertThat(far.mesh().triangles()).isEqualTo(sphere.triangles());
+        // Doubles have steps of 1e-9 m there, 1e-8 of the radius; edges of a hundredth of it.
+        assertThat(MeshChecks.area(far.mesh())).isCloseTo(MeshChecks.area(sphere), withinPercentage(1e-3));
+        assertThat(far.warnings())
+                .noneMatch(warning -> warning.contains("dropped"))
+                .anyMatch(warning -> warning.contains("center (500000.000, 5400000.000, 300.000) m is moved"));
+        assertThat(MeshChecks.position(far.mesh(), 0).length()).isLessThan(0.11);
+        MeshSource.Loaded near = read(obj(sphere, new Vector3d(50, 0, 0)));
+        assertThat(near.warnings()).noneMatch(warning -> warning.contains("moved"));
+        assertThat(MeshChecks.position(near.mesh(), 0).x).isCloseTo(50, within(0.11));
     }
 }
