@@ -10,7 +10,7 @@ import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.scene.Scene.Viewpoint;
 
 /** Lights, views and placed meshes of scenes. */
 final class Framing {

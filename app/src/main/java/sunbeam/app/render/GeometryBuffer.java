@@ -21,7 +21,7 @@ import org.joml.Quaternionfc;
 import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.render.UploadedScene.SkinTextures;
-import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.scene.Scene.Viewpoint;
 
 /** Geometry buffer of a block: surface attributes of its pixels. */
 record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoCloseable {

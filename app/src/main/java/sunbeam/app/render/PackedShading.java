@@ -9,6 +9,7 @@ import jrtr.gl.Resource;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
+import sunbeam.app.render.DrawRequest.SceneBlocks;
 
 /** Runs the shading pass (shaders/skin.frag) only for pixels that show skin, packed into a compact target (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {
@@ -21,13 +22,11 @@ final class PackedShading implements AutoCloseable {
     // Pixels of a square follow one another, so that neighbors stay neighbors.
     private static final int SQUARE = 4;
 
-    private final RenderContext context;
     private final FloatTexture sources;
     private final FloatTarget target;
     private final float[] slots = new float[Packing.MOST];
 
     PackedShading(RenderContext context) {
-        this.context = context;
         this.sources = context.createFloatTexture(
                 "sources", FloatTexture.Spec.flat(Packing.COLUMNS, Packing.ROWS, FloatTexture.Format.R32F));
         this.target = Resource.orClose(

@@ -10,6 +10,7 @@ import java.util.function.BooleanSupplier;
 import jrtr.Tile;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.render.DrawRequest.SceneBlocks;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;

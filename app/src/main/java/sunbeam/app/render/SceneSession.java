@@ -14,6 +14,7 @@ import jrtr.gl.Resource;
 import jrtr.scene.View;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
+import sunbeam.app.render.DrawRequest.SceneBlocks;
 import sunbeam.app.render.GeometryBuffer.Layout;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.SceneLoader.SceneShape;

@@ -30,9 +30,9 @@ import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.mesh.SnakeBody;
 import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;
-import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.optics.Direction;
 
 /** A scene in graphics memory: mesh, textures, and the method with its tables. */

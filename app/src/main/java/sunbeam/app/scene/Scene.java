@@ -5,12 +5,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import jrtr.scene.Light;
+import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
 import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.scene.texture.BodyTexture;
-import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Primaries;
 import sunbeam.precompute.color.DisplayTransform.Tone;
@@ -267,5 +268,21 @@ public record Scene(
 
     public BodyAlpha bodyAlpha() {
         return settings.get(SceneSettings.BODY_ALPHA, method.isThesis() ? BodyAlpha.FRESNEL : BodyAlpha.LIGHT);
+    }
+
+    /** Camera (meters, world space) and field of view, radians, of pictures of 4:3 or wider; narrower ones have the width of 4:3. */
+    public record Viewpoint(Camera camera, double verticalFieldOfView) {
+        /** Width over height below which a picture shows more above and below. */
+        public static final double LEAST_ASPECT = 4.0 / 3;
+
+        /** Radians; single precision does not resolve less. */
+        public static final double NARROWEST = Math.toRadians(0.001);
+
+        /** Radians; wider pictures are mostly distortion. */
+        public static final double WIDEST = Math.toRadians(170);
+
+        public double halfHeight(int width, int height) {
+            return Math.tan(verticalFieldOfView / 2) * Math.max(1, LEAST_ASPECT * height / width);
+        }
     }
 }

@@ -17,6 +17,7 @@ import org.joml.Vector3fc;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.patch.PatchLoader.PatchRequest;

@@ -19,6 +19,7 @@ import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
+import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.Body;

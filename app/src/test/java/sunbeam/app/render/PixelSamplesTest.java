@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.render.DrawRequest.SceneBlocks;
 import sunbeam.app.render.PixelPicture.LitPixels;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneMethod;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.files.cache.BlobCache;
+import sunbeam.app.scene.texture.Body.Scales;
 
 /**
  * Relief of a snake's scales: convex plates in rows, neighbors offset by half a scale, each over the front of the next; on the belly a

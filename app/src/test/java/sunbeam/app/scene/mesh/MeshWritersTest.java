@@ -17,9 +17,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;
-import sunbeam.app.scene.texture.Scales;
 
 class MeshWritersTest {
     private static final Mesh SNAKE = BuiltInMeshes.create("snake");

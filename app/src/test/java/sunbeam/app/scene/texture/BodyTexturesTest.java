@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.app.files.cache.BlobCache;
+import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.precompute.files.InputException;
 
 /** Textures of bodies, from files and of scales. */
