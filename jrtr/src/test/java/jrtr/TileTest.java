@@ -26,11 +26,6 @@ class TileTest {
     }
 
     @Test
-    void coverSurvivesTheLargestSide() {
-        assertThat(Tile.whole(3, 2).divide(Integer.MAX_VALUE)).containsExactly(Tile.whole(3, 2));
-    }
-
-    @Test
     void refusesEmptyAndNegativeRectangles() {
         assertThatThrownBy(() -> new Tile(0, 0, 0, 1)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> new Tile(-1, 0, 1, 1)).isInstanceOf(IllegalArgumentException.class);

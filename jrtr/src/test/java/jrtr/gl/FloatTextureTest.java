@@ -23,27 +23,12 @@ class FloatTextureTest extends InARendering {
     @Test
     void everyBitOfNormalNumbersInfinitiesAndZerosSurvives() {
         float[] values = {
-            0f,
-            -0f,
-            1f,
-            -1f,
-            Float.MAX_VALUE,
-            -Float.MAX_VALUE,
-            Float.MIN_NORMAL,
-            -Float.MIN_NORMAL,
-            Float.POSITIVE_INFINITY,
-            Float.NEGATIVE_INFINITY,
-            1 / 3f,
-            1e-30f,
-            1e30f,
-            16777215f,
-            0.1f,
-            3.4e-38f
+            0f, -0f, 1 / 3f, -Float.MAX_VALUE, Float.MIN_NORMAL, 1e-30f, 16777215f, Float.POSITIVE_INFINITY
         };
         ShaderProgram program = rendering.program("uniform sampler2D t;", FETCH_TOP_DOWN);
-        FloatTexture texture = texture(FloatTexture.Spec.flat(4, 1, FloatTexture.Format.RGBA32F), values);
+        FloatTexture texture = texture(FloatTexture.Spec.flat(2, 1, FloatTexture.Format.RGBA32F), values);
 
-        float[] back = rendering.drawn(program, 4, 1, Map.of("t", texture));
+        float[] back = rendering.drawn(program, 2, 1, Map.of("t", texture));
 
         for (int index = 0; index < values.length; index++) {
             assertThat(Float.floatToRawIntBits(back[index]))

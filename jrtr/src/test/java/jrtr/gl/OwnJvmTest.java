@@ -17,6 +17,8 @@ import jrtr.GraphicsException;
 import jrtr.Tile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests that need their own virtual machine: its end, its standard streams, its display, its libraries. */
 @NeedsDisplay
@@ -50,23 +52,19 @@ class OwnJvmTest {
         assertThat(outcome.errors()).isEmpty();
     }
 
-    @Test
-    void withoutADisplayTheMessageSaysSo() throws IOException, InterruptedException {
-        OwnJvm outcome = run(Map.of("DISPLAY", ""), true);
+    @ParameterizedTest
+    @CsvSource({
+        "'', true, DISPLAY is not set. Set DISPLAY",
+        ":9999, true, DISPLAY=:9999 does not answer",
+        ":9999, false, DISPLAY=:9999 does not answer"
+    })
+    void aMissingDisplayIsNamed(String display, boolean headless, String problem) throws Exception {
+        OwnJvm outcome = run(Map.of("DISPLAY", display), headless);
 
-        assertThat(outcome.output()).startsWith("failed: no display: DISPLAY is not set. Set DISPLAY");
-        assertThat(outcome.output().lines()).hasSize(1);
+        assertThat(outcome.output())
+                .startsWith("failed: no display: " + problem)
+                .hasLineCount(1);
         assertThat(outcome.errors()).isEmpty();
-    }
-
-    @Test
-    void aDisplayThatDoesNotAnswerIsNamed() throws IOException, InterruptedException {
-        for (boolean headless : new boolean[] {true, false}) {
-            OwnJvm outcome = run(Map.of("DISPLAY", ":9999"), headless);
-
-            assertThat(outcome.output()).startsWith("failed: no display: DISPLAY=:9999 does not answer");
-            assertThat(outcome.errors()).isEmpty();
-        }
     }
 
     /** The variables are Mesa's; another driver ignores them and renders, which is right too. */

@@ -9,14 +9,13 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -40,77 +39,39 @@ final class LongRenderRun {
                 new PrintWriter(new StringWriter()),
                 new PrintWriter(err));
         Path output = folder.resolve("frames");
-        try (Footprint footprint = new Footprint(1000)) {
+        List<Look> looks = new CopyOnWriteArrayList<>();
+        ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor();
+        try {
+            Future<?> unused = thread.scheduleAtFixedRate(() -> looks.add(Look.now()), 0, 1, TimeUnit.SECONDS);
             String options = "--size 48x36 --method full --tolerance 0.01 --mesh cylinder --texture none";
             int code = sunbeam.run(
                     ("render elaphe --turntable " + frames + " --output " + output + " " + options).split(" "));
             assertThat(code).as(err.toString()).isZero();
-            try (Stream<Path> files = Files.list(output)) {
-                assertThat(files.filter(file -> file.toString().endsWith(".png")))
-                        .hasSize(frames);
-            }
-            // A collector of garbage may wait, so the heap says little; what leaks with each frame is far more than
-            // this.
-            assertThat(footprint.growth(Footprint.Look::residentMebibytes))
-                    .as("growth of memory / MiB")
-                    .isLessThan(100 + 0.05 * frames);
-            assertThat(footprint.growth(Footprint.Look::files))
-                    .as("growth of open files")
-                    .isLessThan(3);
+        } finally {
+            thread.shutdownNow();
         }
+        // A collector of garbage may wait, so the heap says little; what leaks with each frame is far more than this.
+        // After a quarter all is warm.
+        Look warm = looks.get(looks.size() / 4);
+        Look last = looks.get(looks.size() - 1);
+        assertThat(last.residentMebibytes - warm.residentMebibytes)
+                .as("growth of memory / MiB")
+                .isLessThan(100 + 0.05 * frames);
+        assertThat(last.files - warm.files).as("growth of open files").isLessThan(3);
     }
 
-    /** What this process holds, looked at again and again while it works. */
-    private static final class Footprint implements AutoCloseable {
-        private static final int LOOKS_TO_AVERAGE = 5;
-
-        private final List<Look> looks = new ArrayList<>();
-        private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor();
-
-        /**
-         * One look.
-         *
-         * @param residentMebibytes memory of the process, Java's and the driver's
-         * @param files open files, sockets and pipes
-         */
-        record Look(double residentMebibytes, int files) {}
-
-        /** @param milliseconds between two looks */
-        Footprint(long milliseconds) {
-            Future<?> unused = thread.scheduleAtFixedRate(this::look, 0, milliseconds, TimeUnit.MILLISECONDS);
-        }
-
-        private synchronized void look() {
-            looks.add(new Look(residentKibibytes() / 1024.0, new File("/proc/self/fd").list().length));
-        }
-
-        private static double residentKibibytes() {
-            try {
-                return Files.readAllLines(Path.of("/proc/self/status")).stream()
-                        .filter(line -> line.startsWith("VmRSS:"))
+    /** Memory of this process, Java's and the driver's, and its open files, sockets and pipes. */
+    private record Look(double residentMebibytes, int files) {
+        static Look now() {
+            try (Stream<String> lines = Files.lines(Path.of("/proc/self/status"))) {
+                double kibibytes = lines.filter(line -> line.startsWith("VmRSS:"))
                         .mapToDouble(line -> Double.parseDouble(line.replaceAll("\\D", "")))
                         .findFirst()
                         .orElseThrow();
+                return new Look(kibibytes / 1024, new File("/proc/self/fd").list().length);
             } catch (IOException failure) {
                 throw new UncheckedIOException(failure);
             }
-        }
-
-        /** By how much the mean of the last looks exceeds that of those after the first quarter, when all is warm. */
-        synchronized double growth(ToDoubleFunction<Look> quantity) {
-            int quarter = looks.size() / 4;
-            int count = Math.min(LOOKS_TO_AVERAGE, Math.max(1, quarter));
-            return mean(looks.subList(looks.size() - count, looks.size()), quantity)
-                    - mean(looks.subList(quarter, quarter + count), quantity);
-        }
-
-        private static double mean(List<Look> some, ToDoubleFunction<Look> quantity) {
-            return some.stream().mapToDouble(quantity).average().orElseThrow();
-        }
-
-        @Override
-        public void close() {
-            thread.shutdownNow();
         }
     }
 }

@@ -19,7 +19,6 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -32,14 +31,7 @@ import sunbeam.precompute.text.Text;
  * A surface, window, average, tolerance and directions, all drawn from one seed: method {@code full} must keep its
  * tolerance on any.
  *
- * @param seed from which all follows
- * @param kind of surface, in words
- * @param map the surface
- * @param area window, place and average
- * @param tolerance relative error asked for
- * @param aim of the directions, in words
  * @param colors whether X, Y, Z are compared, else powers
- * @param queries directions, with wavelengths where powers are compared
  */
 record RandomCase(
         long seed,
@@ -114,13 +106,8 @@ record RandomCase(
     }
 
     Outcome measure(RenderContext context, double[][] exact) {
-        Surface surface = surface();
-        Planner planner = surface.planner();
-        SpectrumPlan plan = planner.plan(
-                TableChoices.within(tolerance),
-                area,
-                VisibleRange.of(queries.stream().map(Query::pair).toList()));
-        List<float[]> results = evaluate(context, surface, plan);
+        SpectrumPlan plan = plan();
+        List<float[]> results = evaluate(context, plan);
         List<Comparison> compared = IntStream.range(0, exact.length)
                 .mapToObj(i -> new Comparison(computed(results, i), exact[i], 1))
                 .toList();
@@ -135,7 +122,13 @@ record RandomCase(
         return new double[] {area.average() == Average.ENSEMBLE ? result[1] : result[0]};
     }
 
-    private List<float[]> evaluate(RenderContext context, Surface surface, SpectrumPlan plan) {
+    SpectrumPlan plan() {
+        VisibleRange range = VisibleRange.of(queries.stream().map(Query::pair).toList());
+        return surface().planner().plan(TableChoices.within(tolerance), area, range);
+    }
+
+    List<float[]> evaluate(RenderContext context, SpectrumPlan plan) {
+        Surface surface = surface();
         FourierTable table = plan.fourierTable(surface.levels(), done -> {});
         MethodUse use = colors ? MethodUse.COLOR : MethodUse.SPECTRAL;
         try (UploadedTables method = UploadedTables.upload(context, plan.tables(table, use, surface.cie()));

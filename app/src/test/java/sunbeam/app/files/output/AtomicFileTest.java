@@ -2,7 +2,6 @@ package sunbeam.app.files.output;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -82,15 +81,6 @@ final class AtomicFileTest {
                 .hasMessageContaining("--force");
         assertThat(target).hasContent("other's");
         assertThat(folder.toFile().list()).containsExactly("out.txt");
-    }
-
-    @Test
-    void devicesAreWrittenDirectly() {
-        Path device = Path.of("/dev/null");
-        assumeTrue(Files.exists(device), "needs /dev/null");
-        AtomicFile.checkWritable(device, Overwrite.REFUSE);
-        write(device, Overwrite.REFUSE);
-        assertThat(device).exists();
     }
 
     @Test
@@ -237,16 +227,5 @@ final class AtomicFileTest {
                 .hasMessageContaining("blaze.csv: it exists; add --force");
         assertThat(folder.toFile().list()).containsExactly("blaze.csv");
         assertThat(folder.resolve("blaze.csv")).hasContent("somebody's");
-    }
-
-    @Test
-    void noFileAppearsIfTheContentOfOneFails() throws IOException {
-        Map<String, AtomicFile.StreamContent> contents = contents("new");
-        contents.put(".json", stream -> {
-            throw new IOException("No space left on device");
-        });
-
-        assertThatThrownBy(() -> group(Overwrite.NUMBER).write(contents)).hasMessageContaining("free some space");
-        assertThat(folder.toFile().list()).isEmpty();
     }
 }
