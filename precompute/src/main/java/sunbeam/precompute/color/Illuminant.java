@@ -3,6 +3,7 @@ package sunbeam.precompute.color;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 
 /** Relative spectral power of a light at each nanometer from 380 to 780 nm, at least 0, linear between; in any scale. */
 public record Illuminant(String name, double[] power) {
@@ -34,22 +35,18 @@ public record Illuminant(String name, double[] power) {
     }
 
     Illuminant through(WavelengthBand band) {
-        double[] passed = new double[LAST + 1];
-        for (int i = 0; i <= LAST; i++) {
-            passed[i] = power[i] * band.coverage(i + 380);
-        }
+        double[] passed = IntStream.rangeClosed(0, LAST)
+                .mapToDouble(i -> power[i] * band.coverage(i + 380))
+                .toArray();
         return new Illuminant(name + ", " + band, passed);
     }
 
     public boolean isSmooth() {
         double strongest = Arrays.stream(power).max().orElseThrow();
-        for (int i = 1; i < LAST; i++) {
+        return IntStream.range(1, LAST).allMatch(i -> {
             double bend = Math.abs(power[i - 1] - 2 * power[i] + power[i + 1]);
             double largest = i >= 20 && i <= 320 ? LARGEST_BEND : LARGEST_BEND_AT_ENDS;
-            if (bend > largest * Math.max(power[i], FAINT * strongest)) {
-                return false;
-            }
-        }
-        return true;
+            return bend <= largest * Math.max(power[i], FAINT * strongest);
+        });
     }
 }

@@ -1,6 +1,7 @@
 package sunbeam.precompute.evaluation;
 
 import java.util.Optional;
+import java.util.stream.IntStream;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
@@ -84,11 +85,11 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
             if (!(low < high)) {
                 return Optional.empty();
             }
-            double[] angles = new double[count];
-            for (int i = 0; i < count; i++) {
-                angles[i] = Math.asin(low) + (Math.asin(high) - Math.asin(low)) * i / (count - 1);
-            }
-            return Optional.of(angles);
+            double first = Math.asin(low);
+            double range = Math.asin(high) - first;
+            return Optional.of(IntStream.range(0, count)
+                    .mapToDouble(i -> first + range * i / (count - 1))
+                    .toArray());
         }
     }
 }

@@ -183,12 +183,9 @@ public record GridSampling(
             int texels = texels(2 * terms);
             int samples = CoefficientTable.sampleCount(plan.expansion(), coherent ? 1 : PowerSpectrum.BANDWIDTH);
             int functions = coherent ? terms : CHANNELS * texels;
-            List<ArrayLayout> layouts = new ArrayList<>(List.of(
-                    ShaderArrays.coefficientsLayout(name + "Coefficients", samples, functions),
-                    pointLayout(texels).array()));
-            if (use == MethodUse.COLOR) {
-                raysLayouts(texels).forEach(rays -> layouts.add(rays.array()));
-            }
+            List<ArrayLayout> layouts = new ArrayList<>();
+            layouts.add(ShaderArrays.coefficientsLayout(name + "Coefficients", samples, functions));
+            layouts(texels).forEach(layout -> layouts.add(layout.array()));
             return layouts;
         }
 
@@ -196,14 +193,15 @@ public record GridSampling(
             return (fields + CHANNELS - 1) / CHANNELS;
         }
 
-        private TermsLayout pointLayout(int texels) {
-            return TermsLayout.of(name + "Point", point.x.count(), point.y.count(), texels, 1);
-        }
-
-        private List<TermsLayout> raysLayouts(int texels) {
+        /** Returns the layout of the points' texture and, for colors, of the rays' one or two. */
+        private List<TermsLayout> layouts(int texels) {
+            TermsLayout points = TermsLayout.of(name + "Point", point.x.count(), point.y.count(), texels, 1);
+            if (use == MethodUse.SPECTRAL) {
+                return List.of(points);
+            }
             return apart
-                    ? List.of(raysLayout("Columns", texels, 1), raysLayout("Rows", texels, 1))
-                    : List.of(raysLayout("Rays", texels, 2));
+                    ? List.of(points, raysLayout("Columns", texels, 1), raysLayout("Rows", texels, 1))
+                    : List.of(points, raysLayout("Rays", texels, 2));
         }
 
         private TermsLayout raysLayout(String suffix, int texels, int grids) {
@@ -232,7 +230,8 @@ public record GridSampling(
             CoefficientTable coefficients = fields.coefficients;
             int texels = texels(fields.count);
             String prefix = name.toUpperCase(Locale.ROOT);
-            TermsLayout layout = pointLayout(texels);
+            List<TermsLayout> layouts = layouts(texels);
+            TermsLayout layout = layouts.get(0);
             GridResampler points =
                     new GridResampler(interpolated(point.x, table.x()), interpolated(point.y, table.y()));
             tables.define(prefix + "_TEXELS", texels)
@@ -243,8 +242,8 @@ public record GridSampling(
                     .array(TableArray.computed(
                             layout.array(), layer -> layer(fields, layer, layout, points, Order.ROWS)))
                     .reals(name + "PointFirst", point.x.first(), point.y.first());
-            if (use == MethodUse.COLOR) {
-                List<TermsLayout> rays = raysLayouts(texels);
+            if (layouts.size() > 1) {
+                List<TermsLayout> rays = layouts.subList(1, layouts.size());
                 tables.define(prefix + "_RAYS_TOGETHER", rays.get(0).together())
                         .define(prefix + "_RAYS_LAYERS", rays.get(0).layersPerGrid())
                         .define("RAYS_APART", rays.size() - 1);

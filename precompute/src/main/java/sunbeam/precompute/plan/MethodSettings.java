@@ -55,7 +55,7 @@ public final class MethodSettings {
 
     public static final Setting<Integer> RADIUS = new Setting<>(
             "radius",
-            ValueKind.integer("R", 0, Neighborhood.MAXIMUM_RADIUS),
+            ValueKind.integer("R", 0, 15),
             "With preset thesis: sum (2 R + 1) x (2 R + 1) DFT bins around each frequency.");
 
     public static final Setting<Neighborhood.Anchor> ANCHOR = new Setting<>(

@@ -4,8 +4,6 @@ import sunbeam.precompute.text.Text;
 
 /** Bins that are summed around a frequency: 2 radius + 1 along each axis. */
 public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
-    public static final int MAXIMUM_RADIUS = 15;
-
     public enum Anchor {
         /** Bin at or below the frequency, as in the thesis. */
         FLOOR,

@@ -140,10 +140,9 @@ public sealed interface Sampling permits Sampling.BinSampling, Sampling.OrderSam
             // The outer loop then runs over the terms; its steps count, since compilers need not unroll it.
             long steps = expansion.terms() * plan.sampling().loopSteps(plan);
             boolean few = neighborhood.bins() <= FEW_BINS && steps <= PlanChecks.MOST_LOOP_STEPS;
-            boolean floor = neighborhood.anchor() == Neighborhood.Anchor.FLOOR;
             tables.define("ANCHOR_FLOOR", 0)
                     .define("ANCHOR_NEAREST", 1)
-                    .define("ANCHOR", floor ? "ANCHOR_FLOOR" : "ANCHOR_NEAREST")
+                    .define("ANCHOR", "ANCHOR_" + neighborhood.anchor())
                     .define("RADIUS", Text.format("ivec2(%d, %d)", neighborhood.radiusX(), neighborhood.radiusY()))
                     .define("FEW_BINS", few ? 1 : 0)
                     .integers("tableRadius", neighborhood.radiusX(), neighborhood.radiusY());

@@ -13,7 +13,6 @@ import java.nio.MappedByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -98,22 +97,18 @@ public final class ShaderTablesFile {
      * overwritten. Throws InputException for a truncated or altered file, another version or key.
      */
     public static ShaderTables read(Path file, String key) {
-        return opened(file, channel -> read(channel, key));
+        return InputException.naming(file, () -> {
+            try (FileChannel channel = FileChannel.open(file)) {
+                return read(channel, key);
+            }
+        });
     }
 
     /** Reads the description of a file's tables alone; throws InputException if the file has no readable header. */
     public static TableLabel label(Path file) {
-        return opened(file, channel -> header(channel, headerBytes(channel)).label());
-    }
-
-    private interface Reading<T> {
-        T of(FileChannel channel) throws IOException;
-    }
-
-    private static <T> T opened(Path file, Reading<T> reading) {
         return InputException.naming(file, () -> {
-            try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
-                return reading.of(channel);
+            try (FileChannel channel = FileChannel.open(file)) {
+                return header(channel, headerBytes(channel)).label();
             }
         });
     }
