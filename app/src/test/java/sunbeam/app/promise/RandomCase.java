@@ -55,7 +55,7 @@ record RandomCase(
     private static final double LONGEST_WINDOW = 1e-3;
     // The reference sums the window's samples at each of hundreds of wavelengths.
     private static final double LONGEST_IN_SAMPLES = 600;
-    // Samples in a coherence length: with fewer than 4 the plan refuses (PlanChecks).
+    // Samples in a coherence length: with fewer than 4 the planner refuses.
     private static final double FEWEST_SAMPLES = 5;
 
     static RandomCase of(long seed) {

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.IntFunction;
+import java.util.stream.Stream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.plan.Sampling.OrderSampling.BandRule;
 import sunbeam.precompute.setting.ValueKind;
@@ -73,8 +74,7 @@ public record GridSampling(
         // Loops over the taps of a texel are unrolled, loops over texels may not be.
         long layers = (2L * plan.expansion().terms() + 3) / 4;
         double center = Math.sqrt(2) * Math.min(centerReach(), plan.range().maximumComponent());
-        long nodes = Math.max(mostNodes(plan.range()), band.mostNodes(center));
-        return nodes * layers;
+        return layers * Math.max(mostNodes(plan.range()), band.mostNodes(center));
     }
 
     private static List<Average> averages(SpectrumPlan plan, MethodUse use) {
@@ -102,12 +102,11 @@ public record GridSampling(
     public long workBytes(SpectrumPlan plan) {
         long bins = (long) plan.bandX().count() * plan.bandY().count();
         long turned = 2L * Double.BYTES * plan.expansion().terms() * bins;
-        long layer = 0;
-        for (MethodUse use : MethodUse.values()) {
-            for (ArrayLayout layout : plan.layouts(use)) {
-                layer = Math.max(layer, layout.bytes() / layout.layers());
-            }
-        }
+        long layer = Stream.of(MethodUse.values())
+                .flatMap(use -> plan.layouts(use).stream())
+                .mapToLong(layout -> layout.bytes() / layout.layers())
+                .max()
+                .orElseThrow();
         return 2 * turned + 2 * layer;
     }
 

@@ -1,5 +1,6 @@
 package sunbeam.precompute.plan;
 
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
 import static sunbeam.precompute.plan.MethodSettings.TERMS;
 
@@ -21,6 +22,8 @@ import sunbeam.precompute.spectrum.Expansion.HeightScale;
 import sunbeam.precompute.spectrum.Expansion.TaylorExpansion;
 import sunbeam.precompute.spectrum.InterpolationDesign;
 import sunbeam.precompute.spectrum.LowRankExpansion;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Lengths;
 
 /**
  * Makes a {@link SpectrumPlan} from a patch, the user's choices and a scene's directions, within a heap of so many bytes and a shader's
@@ -28,9 +31,16 @@ import sunbeam.precompute.spectrum.LowRankExpansion;
  */
 public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, Roughness.Cache statistics) {
     private static final int THESIS_TERMS = 37;
+    // Per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum at distance 1 /
+    // p; the first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to a coherent power's normalization.
+    private static final double FEWEST_SAMPLES = 4;
+    // Meters: the first order of a period of two samples is then 3 degrees from the mirror direction at 550 nm.
+    private static final double COARSEST_PITCH = 5e-6;
+    // Radians; the time to find an expansion's basis, half a minute here, grows with the third power.
+    private static final double LARGEST_PHASE = 800;
 
     public Planner(HeightLevels heights, CieTable cie, Roughness.Cache statistics) {
-        this(heights, cie, Runtime.getRuntime().maxMemory(), PlanChecks.MOST_LOOP_STEPS, statistics);
+        this(heights, cie, Runtime.getRuntime().maxMemory(), Sampling.MOST_LOOP_STEPS, statistics);
     }
 
     /** Color tables of the ensemble average are summed on the CPU, without a shader's limit on loops. */
@@ -46,7 +56,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
     /** Plans for a patch whose roughness, which takes seconds, was measured under this window or a longer one. */
     public SpectrumPlan plan(TableChoices choices, GaussianArea area, VisibleRange range, Roughness roughness) {
         HeightMap map = heights.map();
-        PlanChecks.requireSamples(area.window(), map);
+        requireSamples(area.window(), map);
         ErrorBudget budget = new ErrorBudget(choices.tolerance(), roughness.withWindow(area.window(), range));
         Expansion expansion = expansion(choices, range, budget);
         List<Supplier<Sampling>> samplings = choices.fixesBins()
@@ -65,7 +75,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
                     range.bandY(map.height(), around.radiusY() + 1),
                     area,
                     sampling);
-            refusal = PlanChecks.refusal(plan, map.rows(), heapLimit, mostSteps);
+            refusal = plan.refusal(map.rows(), heapLimit, mostSteps);
             if (refusal.isEmpty()) {
                 return plan;
             }
@@ -99,13 +109,62 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         Optional<Integer> terms = thesis ? Optional.of(chosen.orElse(THESIS_TERMS)) : chosen;
         double tolerance = terms.isPresent() ? -1 : budget.expansion();
         if (kind == Expansion.Kind.LOWRANK) {
-            PlanChecks.requireExpandable(scale, maximum);
+            requireExpandable(scale, maximum);
             return LowRankExpansion.of(heights, scale, minimum, maximum, tolerance, terms.orElse(Integer.MAX_VALUE));
         }
         TaylorExpansion taylor = terms.isPresent()
                 ? new TaylorExpansion(scale, terms.get(), maximum)
                 : TaylorExpansion.within(scale, maximum, tolerance);
-        return PlanChecks.requireFloats(taylor, terms.isPresent(), budget.tolerance());
+        return requireFloats(taylor, terms.isPresent(), budget.tolerance());
+    }
+
+    private static void requireExpandable(HeightScale scale, double maximumPhase) {
+        if (maximumPhase > LARGEST_PHASE) {
+            throw SettingException.of(
+                    EXPANSION,
+                    Expansion.Kind.LOWRANK,
+                    Text.format(
+                            "does not reach over a relief of %s, whose phases are up to %.0f rad, more than %.0f; method"
+                                    + " reference, for lists, takes any relief; else crop the patch",
+                            Lengths.format(2 * scale.halfRange()), maximumPhase, LARGEST_PHASE));
+        }
+    }
+
+    private static void requireSamples(CoherenceWindow window, HeightMap map) {
+        double pitch = Math.max(map.columns() > 1 ? map.pitchX() : 0, map.rows() > 1 ? map.pitchY() : 0);
+        double coherenceLength = window.coherenceLength();
+        if (coherenceLength < FEWEST_SAMPLES * pitch) {
+            throw SettingException.of(
+                    COHERENCE_LENGTH,
+                    coherenceLength,
+                    Text.format(
+                            "is less than %.0f samples of the patch, which are %s apart; %s",
+                            FEWEST_SAMPLES,
+                            Lengths.format(pitch),
+                            pitch > COARSEST_PITCH
+                                    ? "so far apart, samples show no structure that diffracts light: check the scan's"
+                                            + " size and its unit"
+                                    : "give " + Lengths.format(FEWEST_SAMPLES * pitch) + " or more"));
+        }
+    }
+
+    /**
+     * Refuses terms whose squares overflow float32; or, unless the user chose their number, which may be inaccurate, terms that exceed
+     * float32's digits: they grow up to e^phase before they cancel.
+     */
+    private static TaylorExpansion requireFloats(TaylorExpansion expansion, boolean chosen, double tolerance) {
+        double largest = expansion.largestTerm(expansion.maximumPhase());
+        double reachable = Math.ulp(1f) * largest;
+        if (chosen ? Math.pow(largest, 2) > Float.MAX_VALUE : reachable > tolerance) {
+            String problem = chosen
+                    ? Text.format("with %d terms leaves the range of float32", expansion.terms())
+                    : Text.format("reaches only %.1g in float32", reachable);
+            String relief = Text.format(
+                    " at this relief (%s, phases up to %.1f); use lowrank",
+                    Lengths.format(2 * expansion.scale().halfRange()), expansion.maximumPhase());
+            throw SettingException.of(EXPANSION, Expansion.Kind.TAYLOR, problem + relief);
+        }
+        return expansion;
     }
 
     private record Samplings(
@@ -202,7 +261,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             // Columns are closer where both axes would be interpolated too far out.
             double reach = fewestNodes() * step / CieTable.BAND_WIDTH;
             double closer = step / (int) Math.ceil(reach / LARGEST_CENTER);
-            Sampling spectral = bins().bins() <= PlanChecks.MOST_LOOP_STEPS
+            Sampling spectral = bins().bins() <= Sampling.MOST_LOOP_STEPS
                     ? new OrderSampling(bins(), Optional.empty(), band)
                     : new GridSampling(
                             new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE),

@@ -20,6 +20,9 @@ import sunbeam.precompute.text.Text;
 
 /** Rule for evaluating the windowed spectrum: the bins or grids to read, and the wavelengths. */
 public sealed interface Sampling permits Sampling.BinSampling, Sampling.OrderSampling, GridSampling {
+    // Per pixel: Mesa's software renderer silently ends all loops after 65,535 (shaders/include/loops.glsl).
+    long MOST_LOOP_STEPS = 60_000;
+
     String summary(VisibleRange range);
 
     /** Formats a range of numbers: "60 to 166", or one number. */
@@ -139,7 +142,7 @@ public sealed interface Sampling permits Sampling.BinSampling, Sampling.OrderSam
             }
             // The outer loop then runs over the terms; its steps count, since compilers need not unroll it.
             long steps = expansion.terms() * plan.sampling().loopSteps(plan);
-            boolean few = neighborhood.bins() <= FEW_BINS && steps <= PlanChecks.MOST_LOOP_STEPS;
+            boolean few = neighborhood.bins() <= FEW_BINS && steps <= MOST_LOOP_STEPS;
             tables.define("ANCHOR_FLOOR", 0)
                     .define("ANCHOR_NEAREST", 1)
                     .define("ANCHOR", "ANCHOR_" + neighborhood.anchor())

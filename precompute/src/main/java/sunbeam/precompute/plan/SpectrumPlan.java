@@ -1,11 +1,15 @@
 package sunbeam.precompute.plan;
 
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.RADIUS;
 import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
@@ -16,6 +20,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Sampling.BinSampling;
 import sunbeam.precompute.setting.Setting.Sentence;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
@@ -104,7 +109,7 @@ public record SpectrumPlan(
         return expansion.terms() + " " + ValueKind.name(expansion.kind()) + " terms";
     }
 
-    String bins() {
+    private String bins() {
         return bandX.count() + " x " + bandY.count() + " DFT bins";
     }
 
@@ -188,5 +193,39 @@ public record SpectrumPlan(
                         window().sigmaFrequency(),
                         area.origin() == WindowOrigin.CORNER ? "corner" : "patch's center"),
                 "bins: " + bins() + " reach every visible frequency at 380 nm and the window's width beyond");
+    }
+
+    /** Refuses this plan beyond the limits of memory and of a shader's loop steps. */
+    Optional<SettingException> refusal(int rows, long heapLimit, long mostSteps) {
+        return excess(rows, heapLimit, mostSteps)
+                .map(excess -> SettingException.of(
+                        COHERENCE_LENGTH,
+                        window().coherenceLength(),
+                        excess
+                                + "; method table, for the ensemble average, and method reference, for lists, take less; else crop the"
+                                + " patch, or give a coarser ",
+                        TOLERANCE,
+                        ", fewer ",
+                        TERMS,
+                        ", a smaller ",
+                        RADIUS,
+                        ", a larger ",
+                        WAVELENGTH_STEP,
+                        " or another ",
+                        COHERENCE_LENGTH));
+    }
+
+    /** Returns which limit is exceeded, as the end of a sentence that begins with "coherence length 65 um". */
+    private Optional<String> excess(int rows, long heapLimit, long mostSteps) {
+        Optional<String> memory = Arrays.stream(MethodUse.values())
+                .flatMap(use -> MemoryNeed.of(this, use, rows).excess(heapLimit).stream())
+                .findFirst();
+        long steps = sampling.loopSteps(this);
+        if (memory.isEmpty() && steps > mostSteps) {
+            return Optional.of(Text.format(
+                    "takes %,d steps a pixel with %s, more than %,d, beyond which graphics drivers may end loops",
+                    steps, sampling.summary(range), mostSteps));
+        }
+        return memory.map(excess -> Text.format("and %s in %d terms %s", bins(), expansion.terms(), excess));
     }
 }

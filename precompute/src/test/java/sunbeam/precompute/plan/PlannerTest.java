@@ -167,7 +167,7 @@ class PlannerTest {
     }
 
     private static Planner planner(HeightMap map, long heap) {
-        return new Planner(HeightLevels.of(map), CIE, heap, PlanChecks.MOST_LOOP_STEPS, Roughness.Cache.NONE);
+        return new Planner(HeightLevels.of(map), CIE, heap, Sampling.MOST_LOOP_STEPS, Roughness.Cache.NONE);
     }
 
     @Test
@@ -180,7 +180,7 @@ class PlannerTest {
         // Shaders do not sum colors along rays.
         Planner ofTables = planner(400e-9).ofTables(Average.ENSEMBLE);
         SpectrumPlan plan = plan(ofTables, many.with(AVERAGE, Average.ENSEMBLE), VisibleRange.all());
-        assertThat(plan.sampling().loopSteps(plan)).isGreaterThan(PlanChecks.MOST_LOOP_STEPS);
+        assertThat(plan.sampling().loopSteps(plan)).isGreaterThan(Sampling.MOST_LOOP_STEPS);
         Planner ofShaders = planner(400e-9);
         assertThat(ofShaders.ofTables(Average.COHERENT)).isSameAs(ofShaders);
     }
