@@ -8,6 +8,8 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -15,6 +17,28 @@ import sunbeam.app.files.output.OutputException;
 
 /** Wrong options, directions, patches and outputs are refused in one line with file or option, value and remedy. */
 class BadInputTest extends InWorkplace {
+    @BeforeEach
+    void layOut() throws IOException {
+        Files.writeString(workplace.resolve("in.csv"), "theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,10,180,550\n");
+        Images.gray(workplace.resolve("scan.png"), 16, 16, (column, row) -> 13 * column + row);
+        Files.writeString(workplace.resolve("notes.png"), "heights: see the other file\n");
+        Images.gray(workplace.resolve("one.png"), 1, 1, (column, row) -> 7);
+        Files.writeString(
+                workplace.resolve("lost.json"),
+                "{\"heights\": \"lost.png\", \"width\": \"65 um\", \"maxHeight\": \"375 nm\"}");
+        Files.writeString(workplace.resolve("broken.json"), "{\"heights\":");
+    }
+
+    /** Asserts one line with all of these words, which are separated by " / ", and neither a file nor a table left. */
+    private void assertRefused(int code, String commandLine, String words) throws IOException {
+        List<String> before = workplace.files();
+
+        workplace.here(commandLine).complains(code, words.split(" / "));
+
+        assertThat(workplace.files()).as("files left").isEqualTo(before);
+        assertThat(workplace.tables()).as("tables left").isEmpty();
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -55,19 +79,40 @@ class BadInputTest extends InWorkplace {
                 "export blaze --format osl --output b --bands 20|--bands",
                 "export blaze --format bsdf --output b.brdf|--output",
                 "export blaze --format bsdf --output b.bsdf --channels xyz|--channels",
-                "export blaze --format bsdf --output b.bsdf --illuminant A|--illuminant"
+                "export blaze --format bsdf --output b.bsdf --illuminant A|--illuminant",
+                "brdf-map --patch scan.png --width 0um --max-height 375nm|--width 0 m is out of range; give 1 nm to 100 mm",
+                "brdf-map --patch scan.png --width -65um --max-height 375nm|--width -65 um is out of range; give",
+                "brdf-map --patch scan.png --width 65m --max-height 375nm|--width 65 m is out of range; give",
+                "brdf-map --patch scan.png --width 65 --max-height 375nm|--width \"65\" has no unit; write",
+                "brdf-map --patch scan.png --width wide --max-height 375nm|--width \"wide\" is no length; write",
+                "brdf-map --patch scan.png --width NaNum --max-height 375nm|--width \"NaNum\" is no length; write",
+                "brdf-map --patch scan.png --width 65um --height 0um --max-height 375nm|--height 0 m is out of range; give",
+                "brdf-map --patch scan.png --width 65um --max-height 0nm|--max-height 0 m is out of range; give 1 pm to 1 m",
+                "brdf-map --patch scan.png --width 65um --max-height -1nm|--max-height -1 nm is out of range; give",
+                "brdf-map --patch scan.png --width 65um --max-height 375m|--max-height 375 m is out of range; give",
+                "brdf-map --patch scan.png --width 65um --max-height 375mm|--max-height 375 mm makes a relief of"
             })
-    void areRefusedWithTheOptionItsValueAndWhatWouldDo(String commandLine, String words) throws Exception {
-        workplace.here(commandLine).complains(SunbeamResult.USAGE, words);
-        assertThat(workplace.files()).isEmpty();
-        assertThat(workplace.tables()).isEmpty();
+    void optionsAndScales(String commandLine, String words) throws Exception {
+        assertRefused(SunbeamResult.USAGE, commandLine, words);
     }
 
-    @Test
-    void aListThatIsNotThere() throws Exception {
-        reflectance()
-                .complains(SunbeamResult.UNUSABLE_INPUT, "cannot read in.csv: there is no such file; check the name");
-        assertThat(workplace.files()).isEmpty();
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '"',
+            value = {
+                "--patch nowhere.png --width 65um --max-height 375nm | --patch nowhere.png is neither a built-in patch nor an existing file; give a",
+                "--patch notes.png --width 65um --max-height 375nm | notes.png is / format that Sunbeam knows / Gwyddion",
+                "--patch one.png --width 65um --max-height 375nm | one.png has 1 x 1 samples / give at least",
+                "--patch scan.png | scan.png / add for example --width 65um and --max-height 375nm",
+                "--patch scan.png --width 65um | scan.png / add for example --max-height 375nm",
+                "--patch scan.png --max-height 375nm | scan.png / add for example --width 65um",
+                "--patch lost.json | lost.json, line 1 / there is no file lost.png; check the name",
+                "--patch broken.json | broken.json, line 1: no valid JSON",
+                "blaze --periodic yes | 'yes' is neither a built-in patch nor an existing file; a name with blanks needs quotes"
+            })
+    void surfaces(String options, String words) throws Exception {
+        assertRefused(SunbeamResult.UNUSABLE_INPUT, "brdf-map " + options + " --size 8", words);
     }
 
     @ParameterizedTest
@@ -83,141 +128,45 @@ class BadInputTest extends InWorkplace {
                 "theta_i,phi_i,theta_r,phi_r,wavelength|0,0,0,0|line 2: 4 fields, but the header has 5",
                 "theta_i;phi_i;theta_r;phi_r|0;0;0;0|separate columns by commas"
             })
-    void aListWithAMistake(String header, String row, String words) throws Exception {
+    void directions(String header, String row, String words) throws Exception {
         Files.writeString(workplace.resolve("in.csv"), header + "\n" + row + "\n");
-
-        reflectance().complains(SunbeamResult.UNUSABLE_INPUT, "in.csv", words);
-
-        assertThat(workplace.files()).containsExactly("in.csv");
-    }
-
-    private SunbeamResult reflectance() throws IOException {
-        return workplace.here("reflectance --patch blaze --directions in.csv --output out.csv");
-    }
-
-    private static final String SCALE = " --width 65um --max-height 375nm";
-
-    private void layOutPatches() throws IOException {
-        Images.gray(workplace.resolve("scan.png"), 16, 16, (column, row) -> 13 * column + row);
-        Files.writeString(workplace.resolve("notes.png"), "heights: see the other file\n");
-        Images.gray(workplace.resolve("one.png"), 1, 1, (column, row) -> 7);
-        Files.writeString(
-                workplace.resolve("lost.json"),
-                "{\"heights\": \"lost.png\", \"width\": \"65 um\", \"maxHeight\": \"375 nm\"}");
-        Files.writeString(workplace.resolve("broken.json"), "{\"heights\":");
+        String commandLine = "reflectance --patch blaze --output out.csv --directions ";
+        assertRefused(SunbeamResult.UNUSABLE_INPUT, commandLine + "in.csv", "in.csv / " + words);
+        assertRefused(
+                SunbeamResult.UNUSABLE_INPUT,
+                commandLine + "no.csv",
+                "cannot read no.csv: there is no such file; check");
     }
 
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
             value = {
-                "nowhere.png | --patch nowhere.png is neither a built-in patch nor an existing file; give a",
-                "notes.png | notes.png is / format that Sunbeam knows / Gwyddion",
-                "one.png | one.png has 1 x 1 samples / give at least"
+                "brdf-map --size 8 --output maps/map.png|cannot write maps/map.png / does not exist; create it first",
+                "brdf-map --size 8 --output .|it is a folder; name a file in it",
+                "brdf-map --size 8 --output /proc/map.png|/proc/map.png",
+                "precompute --output /proc/table.h5|/proc/table.h5",
+                "reflectance --directions in.csv --output /proc/out.csv|/proc/out.csv",
+                "brdf-map --size 8 --output /dev/full|cannot write /dev/full: No space left on device; free some space or",
+                "brdf-map --size 8 --output map.png --linear /dev/full|cannot write /dev/full: No space left on device; free some space or",
+                "reflectance --directions in.csv --output /dev/full|cannot write /dev/full: No space left on device; free some space or"
             })
-    void aFileThatIsNoSurface(String patch, String words) throws Exception {
-        assertRefused(SunbeamResult.UNUSABLE_INPUT, "--patch " + patch + SCALE, words);
-    }
-
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "scan.png | scan.png / add for example --width 65um and --max-height 375nm",
-                "scan.png --width 65um | scan.png / add for example --max-height 375nm",
-                "scan.png --max-height 375nm | scan.png / add for example --width 65um",
-                "lost.json | lost.json, line 1 / there is no file lost.png; check the name",
-                "broken.json | broken.json, line 1: no valid JSON"
-            })
-    void aSurfaceThatIsNotDescribed(String patch, String words) throws Exception {
-        assertRefused(SunbeamResult.UNUSABLE_INPUT, "--patch " + patch, words);
-    }
-
-    @ParameterizedTest
-    @CsvSource({
-        "--width 0um --max-height 375nm, '--width 0 m is out of range; give 1 nm to 100 mm'",
-        "--width -65um --max-height 375nm, '--width -65 um is out of range; give'",
-        "--width 65m --max-height 375nm, '--width 65 m is out of range; give'",
-        "--width 65 --max-height 375nm, '--width \"65\" has no unit; write'",
-        "--width wide --max-height 375nm, '--width \"wide\" is no length; write'",
-        "--width NaNum --max-height 375nm, '--width \"NaNum\" is no length; write'",
-        "--width 65um --height 0um --max-height 375nm, '--height 0 m is out of range; give'",
-        "--width 65um --max-height 0nm, '--max-height 0 m is out of range; give 1 pm to 1 m'",
-        "--width 65um --max-height -1nm, '--max-height -1 nm is out of range; give'",
-        "--width 65um --max-height 375m, '--max-height 375 m is out of range; give'",
-        "--width 65um --max-height 375mm, '--max-height 375 mm makes a relief of'"
-    })
-    void aScaleThatCannotBe(String options, String words) throws Exception {
-        assertRefused(SunbeamResult.USAGE, "--patch scan.png " + options, words);
-    }
-
-    @Test
-    void aWordThatNamesNoSurface() throws Exception {
-        workplace
-                .here("brdf-map blaze --periodic yes")
-                .complains(
-                        SunbeamResult.UNUSABLE_INPUT,
-                        "'yes' is neither a built-in patch nor an existing file; a name with blanks needs quotes");
-    }
-
-    private void assertRefused(int exitCode, String options, String words) throws Exception {
-        layOutPatches();
+    void outputs(String commandLine, String words) throws Exception {
+        boolean isHere = Stream.of("/proc", "/dev/full")
+                .filter(commandLine::contains)
+                .allMatch(place -> Files.exists(Path.of(place)));
+        assumeTrue(isHere, "skipped: no /proc, where no files can be made, or no /dev/full, which is always full");
         List<String> before = workplace.files();
 
-        workplace.here("brdf-map --size 8 --output map.png " + options).complains(exitCode, words.split(" / "));
+        workplace.here(commandLine + " --patch blaze").complains(SunbeamResult.CANNOT_WRITE, words.split(" / "));
 
-        assertThat(workplace.files()).as("files left").isEqualTo(before);
-        assertThat(workplace.tables()).as("tables left").isEmpty();
-    }
-
-    @ParameterizedTest
-    @CsvSource({
-        "brdf-map --size 8 --output, map.png",
-        "precompute --output, table.h5",
-        "reflectance --directions in.csv --output, out.csv"
-    })
-    void aFolderThatTakesNoFiles(String commandLine, String name) throws Exception {
-        assumeTrue(Files.isDirectory(Path.of("/proc")), "skipped: no /proc, where nobody may make files");
-        writeDirections();
-
-        blaze(commandLine + " /proc/" + name).complains(SunbeamResult.CANNOT_WRITE, "/proc/" + name);
+        assertThat(workplace.files()).isEqualTo(before);
     }
 
     @Test
     void aFolderThatIsWriteProtected() {
         assertThat(OutputException.of(Path.of("map.png"), new AccessDeniedException("map.png")))
                 .hasMessage("cannot write map.png: permission denied; choose a folder that you may write to");
-    }
-
-    @Test
-    void aFolderThatIsNotThere() throws Exception {
-        blaze("brdf-map --size 8 --output maps/map.png")
-                .complains(SunbeamResult.CANNOT_WRITE, "cannot write maps/map.png", "does not exist; create it first");
-        assertThat(workplace.files()).isEmpty();
-    }
-
-    @Test
-    void aFolderInPlaceOfAFile() throws Exception {
-        blaze("brdf-map --size 8 --output .")
-                .complains(SunbeamResult.CANNOT_WRITE, "it is a folder; name a file in it");
-        assertThat(workplace.files()).isEmpty();
-    }
-
-    @ParameterizedTest
-    @CsvSource({
-        "brdf-map --size 8 --output",
-        "brdf-map --size 8 --output map.png --linear",
-        "reflectance --directions in.csv --output"
-    })
-    void aFullDisk(String commandLine) throws Exception {
-        assumeTrue(Files.exists(Path.of("/dev/full")), "skipped: no /dev/full, the disk that is always full");
-        writeDirections();
-
-        blaze(commandLine + " /dev/full")
-                .complains(
-                        SunbeamResult.CANNOT_WRITE,
-                        "cannot write /dev/full: No space left on device; free some space or choose another folder");
-        assertThat(workplace.files()).containsExactly("in.csv");
     }
 
     /** The output is checked first: the missing patch would have exit code 4. */
@@ -237,7 +186,6 @@ class BadInputTest extends InWorkplace {
         "export none.gwy --format glsl --output ., ./sunbeam.exr"
     })
     void anOutputThatExistsIsRefusedBeforeThePatchIsRead(String commandLine, String taken) throws Exception {
-        writeDirections();
         Files.createFile(workplace.resolve(taken));
         List<String> before = workplace.files();
 
@@ -248,6 +196,7 @@ class BadInputTest extends InWorkplace {
     /** The system refuses to let a file grow beyond 8 MB: the picture fits, the 12 MB of linear colors do not. */
     @Test
     void aDiskThatFillsUpWhileTheSecondFileIsWritten() throws Exception {
+        List<String> before = workplace.files();
         // Blocks of 1024 bytes.
         SunbeamResult result = workplace
                 .commandBy(
@@ -256,14 +205,6 @@ class BadInputTest extends InWorkplace {
                 .run();
 
         result.complains(SunbeamResult.CANNOT_WRITE, "cannot write a.npy: File too large; choose another");
-        assertThat(workplace.files()).isEmpty();
-    }
-
-    private void writeDirections() throws IOException {
-        Files.writeString(workplace.resolve("in.csv"), "theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,10,180,550\n");
-    }
-
-    private SunbeamResult blaze(String commandLine) throws IOException {
-        return workplace.here(commandLine + " --patch blaze");
+        assertThat(workplace.files()).isEqualTo(before);
     }
 }

@@ -34,8 +34,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     final CompletableFuture<Void> finalPicture = new CompletableFuture<>();
     private final Set<Overlay> overlays = EnumSet.of(Overlay.MAP);
     Optional<ViewMeasurement> measurement = Optional.empty();
-    // Number of the newest request for strokes; results of older requests are discarded.
-    private long newestStrokes;
     private boolean failed;
     String renderer = "";
     private ViewState requested;
@@ -74,10 +72,8 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         switch (overlay) {
             case CONE -> followLight();
             case STROKES -> {
-                removeStrokes();
-                if (finished().isPresent()) {
-                    requestStrokes();
-                }
+                window.picture.showStrokes(Optional.empty());
+                finished().ifPresent(whole -> requestStrokes());
             }
             case MAP -> {
                 window.map.setVisible(shows(Overlay.MAP));
@@ -86,22 +82,15 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         }
     }
 
-    private void removeStrokes() {
-        newestStrokes++;
-        window.picture.showStrokes(Optional.empty());
-    }
-
     private void requestStrokes() {
         if (!shows(Overlay.STROKES)) {
             return;
         }
-        long number = ++newestStrokes;
-        int width = window.picture.pictureWidth();
-        int height = window.picture.pictureHeight();
+        ViewState drawn = requested;
         viewer.loop.submit(stage -> {
-            BufferedImage strokes = stage.strokes(width, height);
+            BufferedImage strokes = stage.strokes(drawn.width(), drawn.height());
             SwingUtilities.invokeLater(() -> {
-                if (number == newestStrokes) {
+                if (drawn == requested && shows(Overlay.STROKES)) {
                     window.picture.showStrokes(Optional.of(strokes));
                 }
             });
@@ -130,7 +119,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         }
         requested = next;
         splitView.outdated();
-        removeStrokes();
+        window.picture.showStrokes(Optional.empty());
         window.status.outdated();
         measurement.ifPresent(measured -> measured.requested(requested));
         viewer.loop.show(requested);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
+import org.joml.Vector3fc;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scene.Viewpoint;
@@ -102,13 +103,19 @@ final class HistoryTest {
                 .withOrientation(new Quaternionf());
     }
 
+    private static void assertNear(Vector3fc found, double x, double y, double z) {
+        assertThat(found.distance((float) x, (float) y, (float) z)).isCloseTo(0, within(ROUNDING));
+    }
+
     @Test
-    void theFrontOfTheModelGoesWhereTheMouseGoes() {
-        float sine = (float) Math.sin(0.1);
-        Vector3f right = Drags.turned(SCENE, 0.1, 0).orientation().transform(new Vector3f(0, 0, 1));
-        assertThat(right.distance(sine, 0, (float) Math.cos(0.1))).isCloseTo(0, within(ROUNDING));
-        Vector3f up = Drags.turned(SCENE, 0, 0.1).orientation().transform(new Vector3f(0, 0, 1));
-        assertThat(up.distance(0, sine, (float) Math.cos(0.1))).isCloseTo(0, within(ROUNDING));
+    void theFrontOfTheModelAndTheLightGoWhereTheMouseGoesAndARollIsCounterclockwise() {
+        double sine = Math.sin(0.1);
+        double cosine = Math.cos(0.1);
+        assertNear(Drags.turned(SCENE, 0.1, 0).orientation().transform(new Vector3f(0, 0, 1)), sine, 0, cosine);
+        assertNear(Drags.turned(SCENE, 0, 0.1).orientation().transform(new Vector3f(0, 0, 1)), 0, sine, cosine);
+        assertNear(Drags.rolled(SCENE, 0.1).orientation().transform(new Vector3f(1, 0, 0)), cosine, sine, 0);
+        assertNear(Drags.lit(SCENE, 0.1, 0).light().towards(), sine, 0, cosine);
+        assertNear(Drags.lit(SCENE, 0, 0.1).light().towards(), 0, sine, cosine);
     }
 
     @Test
@@ -123,26 +130,9 @@ final class HistoryTest {
     }
 
     @Test
-    void aRollTurnsCounterclockwiseInThePicture() {
-        Vector3f right = Drags.rolled(SCENE, 0.1).orientation().transform(new Vector3f(1, 0, 0));
-        assertThat(right.distance((float) Math.cos(0.1), (float) Math.sin(0.1), 0))
-                .isCloseTo(0, within(ROUNDING));
-    }
-
-    @Test
-    void theLightGoesWhereTheMouseGoes() {
-        float sine = (float) Math.sin(0.3);
-        float cosine = (float) Math.cos(0.3);
-        assertThat(Drags.lit(SCENE, 0.3, 0).light().towards().distance(sine, 0, cosine))
-                .isCloseTo(0, within(ROUNDING));
-        assertThat(Drags.lit(SCENE, 0, 0.3).light().towards().distance(0, sine, cosine))
-                .isCloseTo(0, within(ROUNDING));
-    }
-
-    @Test
     void zoomingInHalvesTheDistance() {
         Camera camera = Drags.zoomed(SCENE, 0.5, 0, 0, 800, 600).view().camera();
-        assertThat(camera.centerOfProjection().distance(0, 0, 2.5f)).isCloseTo(0, within(ROUNDING));
+        assertNear(camera.centerOfProjection(), 0, 0, 2.5);
         assertThat(camera.lookAtPoint().length()).isZero();
     }
 
@@ -161,7 +151,7 @@ final class HistoryTest {
     void whatIsSeenFollowsAPan() {
         // With a field of view of 90 degrees the picture is 10 high at the target.
         Camera camera = Drags.panned(SCENE, 0.1, 0.2, 800, 600).view().camera();
-        assertThat(camera.lookAtPoint().distance(-1, -2, 0)).isCloseTo(0, within(ROUNDING));
-        assertThat(camera.centerOfProjection().distance(-1, -2, 5)).isCloseTo(0, within(ROUNDING));
+        assertNear(camera.lookAtPoint(), -1, -2, 0);
+        assertNear(camera.centerOfProjection(), -1, -2, 5);
     }
 }
