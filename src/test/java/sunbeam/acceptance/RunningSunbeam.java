@@ -10,20 +10,12 @@ import java.time.Duration;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 
-/** A started launcher with its output caught in files. Closing it kills what still runs and removes the files. */
-public final class RunningSunbeam implements AutoCloseable {
-    private final String commandLine;
-    private final Process process;
-    private final Path stdout;
-    private final Path stderr;
-
-    private RunningSunbeam(String commandLine, Process process, Path stdout, Path stderr) {
-        this.commandLine = commandLine;
-        this.process = process;
-        this.stdout = stdout;
-        this.stderr = stderr;
-    }
-
+/**
+ * A started launcher with its output caught in files. Closing it kills what still runs and removes the files.
+ *
+ * @param process the launcher's process, which becomes the program's by exec
+ */
+public record RunningSunbeam(String commandLine, Process process, Path stdout, Path stderr) implements AutoCloseable {
     static RunningSunbeam start(ProcessBuilder builder) throws IOException {
         Path stdout = Files.createTempFile("sunbeam", ".stdout");
         Path stderr = Files.createTempFile("sunbeam", ".stderr");
@@ -31,11 +23,6 @@ public final class RunningSunbeam implements AutoCloseable {
         builder.redirectOutput(stdout.toFile());
         builder.redirectError(stderr.toFile());
         return new RunningSunbeam(String.join(" ", builder.command()), builder.start(), stdout, stderr);
-    }
-
-    /** Returns the launcher's process, which becomes the program's by exec. */
-    public ProcessHandle process() {
-        return process.toHandle();
     }
 
     /** Sends a signal such as {@code INT}, by the shell's kill, since a bare machine has no program of that name. */

@@ -5,9 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * One start of the launcher, described step by step and then run:
@@ -22,15 +20,15 @@ import java.util.Map;
 public final class Sunbeam {
     private static final Duration PATIENCE = Duration.ofMinutes(2);
 
-    private final List<String> commandLine;
-    private final Map<String, String> environment = new HashMap<>();
-    private final List<String> removed = new ArrayList<>();
-    private Path folder = repository();
+    private final ProcessBuilder builder;
 
     private Sunbeam(Path launcher, String... arguments) {
-        commandLine = new ArrayList<>(List.of(launcher.toString()));
-        commandLine.addAll(List.of(arguments));
-        with("SUNBEAM_NO_INSTALL", "1").with("SUNBEAM_NO_BUILD", "1");
+        // Restore the signals' defaults, which nohup and background shells replace.
+        List<String> command =
+                new ArrayList<>(List.of("env", "--default-signal=INT,HUP,QUIT,TERM", launcher.toString()));
+        command.addAll(List.of(arguments));
+        builder = new ProcessBuilder(command);
+        in(repository()).with("SUNBEAM_NO_INSTALL", "1").with("SUNBEAM_NO_BUILD", "1");
     }
 
     /** Returns a start of this repository's launcher with the given arguments. */
@@ -63,19 +61,17 @@ public final class Sunbeam {
 
     /** Starts it in this folder, which relative paths refer to; without it, in the repository's top folder. */
     public Sunbeam in(Path workingFolder) {
-        folder = workingFolder;
+        builder.directory(workingFolder.toFile());
         return this;
     }
 
     public Sunbeam with(String variable, String value) {
-        environment.put(variable, value);
-        removed.remove(variable);
+        builder.environment().put(variable, value);
         return this;
     }
 
     public Sunbeam without(String variable) {
-        environment.remove(variable);
-        removed.add(variable);
+        builder.environment().remove(variable);
         return this;
     }
 
@@ -97,12 +93,6 @@ public final class Sunbeam {
      * @throws IOException if it cannot be started
      */
     public RunningSunbeam start() throws IOException {
-        // Restore the signals' defaults, which nohup and background shells replace.
-        List<String> command = new ArrayList<>(List.of("env", "--default-signal=INT,HUP,QUIT,TERM"));
-        command.addAll(commandLine);
-        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
-        builder.environment().putAll(environment);
-        builder.environment().keySet().removeAll(removed);
         return RunningSunbeam.start(builder);
     }
 }

@@ -7,7 +7,6 @@ import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -95,16 +94,18 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public double requestedShare() {
-        return average(VirtualTexture::requestedShare);
+        return current.colors()
+                .mapToDouble(VirtualTexture::requestedShare)
+                .average()
+                .orElse(1);
     }
 
     @Override
     public double coarsestShare() {
-        return average(VirtualTexture::coarsestShare);
-    }
-
-    private double average(ToDoubleFunction<VirtualTexture> share) {
-        return current.colors().mapToDouble(share).average().orElse(1);
+        return current.colors()
+                .mapToDouble(VirtualTexture::coarsestShare)
+                .average()
+                .orElse(1);
     }
 
     @Override
