@@ -2,8 +2,8 @@ package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
 import java.nio.Buffer;
+import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
-import java.nio.ShortBuffer;
 import java.util.BitSet;
 
 /**
@@ -93,20 +93,18 @@ public final class FloatTexture extends Texture {
      * @throws IllegalArgumentException if the number of floats differs or there is no such layer
      */
     public void uploadLayer(int layer, FloatBuffer texels) {
-        upload(layer, texels.slice(), GL3.GL_FLOAT);
+        upload(layer, texels.slice(), texels.remaining(), GL3.GL_FLOAT);
     }
 
-    /** Uploads a layer of a texture of 16-bit floats, from bit patterns of IEEE 754 binary16. */
-    public void uploadLayer(int layer, ShortBuffer texels) {
-        if (spec.format().bytesPerChannel != Short.BYTES) {
-            throw new IllegalArgumentException("texture '" + label() + "' has floats of 32 bits, not of 16");
-        }
-        upload(layer, texels.slice(), GL3.GL_HALF_FLOAT);
+    /** Uploads a layer from numbers in the format's precision, IEEE 754 binary16 or binary32 in native byte order. */
+    public void uploadLayer(int layer, ByteBuffer texels) {
+        int bytes = spec.format().bytesPerChannel;
+        upload(layer, texels.slice(), texels.remaining() / bytes, bytes == 2 ? GL3.GL_HALF_FLOAT : GL3.GL_FLOAT);
     }
 
-    private void upload(int layer, Buffer texels, int type) {
-        if (layer < 0 || layer >= spec.layers() || texels.remaining() != spec.floatsPerLayer()) {
-            throw new IllegalArgumentException(texels.remaining() + " floats for layer " + layer + " of texture '"
+    private void upload(int layer, Buffer texels, int floats, int type) {
+        if (layer < 0 || layer >= spec.layers() || floats != spec.floatsPerLayer()) {
+            throw new IllegalArgumentException(floats + " floats for layer " + layer + " of texture '"
                     + label() + "', which has " + spec.layers() + " layers of " + spec.width() + " x " + spec.height()
                     + " texels in " + spec.format());
         }

@@ -28,15 +28,14 @@ public final class ShaderProgram extends Resource {
 
     private GlUniforms build(GL3 gl, ShaderSource vertex, ShaderSource fragment) {
         int vertexShader = compile(gl, vertex, GL3.GL_VERTEX_SHADER);
+        int fragmentShader = 0;
         try {
-            int fragmentShader = compile(gl, fragment, GL3.GL_FRAGMENT_SHADER);
-            try {
-                name = link(gl, vertexShader, fragmentShader, vertex, fragment);
-            } finally {
-                gl.glDeleteShader(fragmentShader);
-            }
+            fragmentShader = compile(gl, fragment, GL3.GL_FRAGMENT_SHADER);
+            name = link(gl, vertexShader, fragmentShader, vertex, fragment);
         } finally {
             gl.glDeleteShader(vertexShader);
+            // OpenGL ignores 0.
+            gl.glDeleteShader(fragmentShader);
         }
         GlUniforms found = new GlUniforms(gl, name, label(), vertex.text() + fragment.text());
         device().check(gl, "linking " + label());

@@ -4,8 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
-import java.nio.ShortBuffer;
 import java.util.Map;
 import jrtr.gl.RenderContext.ContextInfo;
 import org.junit.jupiter.api.Test;
@@ -43,7 +44,9 @@ class FloatTextureTest extends InARendering {
         short[] halves = {0x3c00, 0x3e00, (short) 0xc000, 0x7bff, 0x4200, 0x3800, 0x0400, 0x0001};
         FloatTexture.Spec spec = FloatTexture.Spec.array(2, 1, 1, FloatTexture.Format.RGBA16F);
         FloatTexture texture = rendering.context.createFloatTexture("table", spec.with(FloatTexture.Filter.LINEAR));
-        texture.uploadLayer(0, ShortBuffer.wrap(halves));
+        ByteBuffer bytes = ByteBuffer.allocate(2 * halves.length).order(ByteOrder.nativeOrder());
+        bytes.asShortBuffer().put(halves);
+        texture.uploadLayer(0, bytes);
         ShaderProgram exact =
                 rendering.program("uniform sampler2DArray t;", "texelFetch(t, ivec3(gl_FragCoord.xy, 0), 0)");
         float[] back = rendering.drawn(exact, 2, 1, Map.of("t", texture));

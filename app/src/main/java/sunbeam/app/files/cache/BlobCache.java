@@ -54,7 +54,9 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
      * @param name text of all that determines the bytes besides the build, for {@code cache}
      */
     public byte[] get(String name, int most, Supplier<byte[]> maker) {
-        Optional<Path> opened = build.flatMap(known -> folder.open(BlobCache::dropWarning));
+        // The cache of tables prints the same warning already.
+        Consumer<String> dropped = line -> {};
+        Optional<Path> opened = build.flatMap(known -> folder.open(dropped));
         if (opened.isEmpty()) {
             return maker.get();
         }
@@ -63,7 +65,7 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
         byte[] head = TileFile.head(FORMAT, new TableLabel("", name), hash);
         return folder.read(file, path -> read(path, head, most), warning).orElseGet(() -> {
             byte[] bytes = maker.get();
-            folder.save(file, path -> write(path, head, bytes), BlobCache::dropWarning);
+            folder.save(file, path -> write(path, head, bytes), dropped);
             return bytes;
         });
     }
@@ -103,9 +105,6 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
         bytes.asDoubleBuffer().get(doubles);
         return doubles;
     }
-
-    /** The cache of tables prints the same warning already. */
-    private static void dropWarning(String line) {}
 
     private static void write(Path file, byte[] head, byte[] bytes) {
         ByteBuffer all = ByteBuffer.allocate(head.length + bytes.length + Long.BYTES);

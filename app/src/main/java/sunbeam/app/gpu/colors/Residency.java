@@ -117,7 +117,7 @@ final class Residency implements AutoCloseable {
         if (texels == null || texels.spec().layers() < layers.size()) {
             allocate(layers.size());
         }
-        changed.stream().forEach(layer -> upload(layer, layers.get(layer)));
+        changed.stream().forEach(layer -> texels.uploadLayer(layer, layers.get(layer)));
         changed.clear();
         float[][] numbers = pages.pageTable();
         if (pageTable == null) {
@@ -150,15 +150,7 @@ final class Residency implements AutoCloseable {
         changed.set(0, layers);
         ByteBuffer empty = pages.newLayer();
         for (int layer = layers; layer < capacity; layer++) {
-            upload(layer, empty);
-        }
-    }
-
-    private void upload(int layer, ByteBuffer numbersOfTexels) {
-        if (format == NumberFormat.HALF) {
-            texels.uploadLayer(layer, numbersOfTexels.asShortBuffer());
-        } else {
-            texels.uploadLayer(layer, numbersOfTexels.asFloatBuffer());
+            texels.uploadLayer(layer, empty);
         }
     }
 
