@@ -25,8 +25,13 @@ import java.util.concurrent.Future;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.NullSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.terminal.UsageException;
 
-/** Files appear whole or not at all, one by one, in groups, and of several writers at once. */
+/** Files appear whole or not at all, one by one, in groups, and of several writers at once, under names that fit their content. */
 final class AtomicFileTest {
     private static final byte[] NEW = "new".getBytes(StandardCharsets.UTF_8);
 
@@ -227,5 +232,34 @@ final class AtomicFileTest {
                 .hasMessageContaining("blaze.csv: it exists; add --force");
         assertThat(folder.toFile().list()).containsExactly("blaze.csv");
         assertThat(folder.resolve("blaze.csv")).hasContent("somebody's");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "PNG, map.jpg, a PNG picture, end it with .png",
+        "PNG, .png.gif, a PNG picture, end it with .png",
+        "PNG, scan.v1.2, a PNG picture, end it with .png",
+        "MESH, a.gltf, a mesh, end it with .obj or .ply or .glb",
+        "HDF5, folder.h5/q, an HDF5 file, call it q.h5",
+    })
+    void aNameThatSaysOtherwiseIsRefusedWithTheOnesThatWillDo(Ending ending, String name, String what, String remedy) {
+        assertThatThrownBy(() -> ending.require("--output", Path.of(name)))
+                .isInstanceOf(UsageException.class)
+                .hasMessage("--output " + name + " would be " + what + ", which its name does not say; " + remedy);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"map.png", "map.PNG", "scan.v1.2.png", "folder.jpg/map.png"})
+    void aNameThatEndsInPngIsAcceptedForAPngAlone(String name) {
+        Ending.PNG.require("--output", Path.of(name));
+        assertThatThrownBy(() -> Ending.NPZ.require("--output", Path.of(name))).isInstanceOf(UsageException.class);
+    }
+
+    @ParameterizedTest
+    @NullSource
+    @ValueSource(strings = {"-", "/dev/null", "/", "."})
+    void standardOutputDevicesAndFoldersNeedNoEnding(String name) {
+        Path named = name == null ? null : Path.of(name);
+        assertThat(Ending.values()).allSatisfy(ending -> ending.require("--output", named));
     }
 }

@@ -94,26 +94,4 @@ final class HeatMapTest {
         assertThat(image.getRGB(0, 0)).isEqualTo(0xffffffff);
         assertThat(image.getRGB(0, 0, 900, 600, null, 0, 900)).contains(BLUE, VERMILION);
     }
-
-    @Test
-    void namesInALegendAreAlignedWhateverTheirMarks() {
-        double[] values = {1, 2};
-        Frame frame = new Frame("Error", Axis.linear("x"), Axis.linear("y"), 900, 600);
-
-        BufferedImage image = new Plot(frame)
-                .line("H", values, values)
-                .points("H", values, values)
-                .draw();
-
-        // The names are the last ink of their rows, right of the axes.
-        int[] ends = IntStream.range(0, image.getHeight())
-                .map(y -> IntStream.range(850, image.getWidth())
-                        .filter(x -> (image.getRGB(x, y) & 0xff) < 64)
-                        .max()
-                        .orElse(0))
-                .filter(end -> end > 0)
-                .distinct()
-                .toArray();
-        assertThat(ends).hasSize(1);
-    }
 }
