@@ -26,7 +26,6 @@ import sunbeam.app.cli.figures.FiguresCommand;
 import sunbeam.app.cli.inspect.InspectCommand;
 import sunbeam.app.cli.options.PictureSize;
 import sunbeam.app.cli.options.Range;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.orders.OrdersCommand;
 import sunbeam.app.cli.reflectance.ReflectanceCommand;
 import sunbeam.app.cli.render.RenderCommand;
@@ -193,7 +192,7 @@ public final class Sunbeam {
             descriptionHeading = "%n",
             optionListHeading = "%nOptions:%n",
             commandListHeading = "%nCommands:%n")
-    private static final class Root implements Callable<Integer>, ReportingCommand.Root {
+    private static final class Root implements Callable<Integer>, Supplier<Environment> {
         static final String[] DESCRIPTION = {
             "Sunbeam renders the colors that a nanostructured surface, such as a snake's skin or a compact disc,"
                     + " makes by diffraction. It reads a height map measured by an atomic force microscope, precomputes"
@@ -231,7 +230,7 @@ public final class Sunbeam {
         }
 
         @Override
-        public Environment environment() {
+        public Environment get() {
             return environment;
         }
 

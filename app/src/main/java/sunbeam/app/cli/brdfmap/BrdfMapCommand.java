@@ -78,8 +78,8 @@ public final class BrdfMapCommand extends FileCommand {
     private LightOptions light;
 
     @Mixin
-    private MethodOptions methodOptions =
-            MethodOptions.choosingAverage("ensemble; coherent with a preset and for methods that have no other");
+    private MethodOptions methodOptions = new MethodOptions(
+            Map.of(MethodSettings.AVERAGE, "ensemble; coherent with a preset and for methods that have no other"));
 
     @Mixin
     private CertifyOption certify;

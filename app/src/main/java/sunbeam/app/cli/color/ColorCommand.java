@@ -76,8 +76,8 @@ public final class ColorCommand extends FileCommand {
     private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
 
     @Mixin
-    private final LightOptions light =
-            LightOptions.choosingAzimuth("that of each plane, so that the mirror direction lies in each strip");
+    private final LightOptions light = new LightOptions(
+            Map.of(LightOptions.PHI_I, "that of each plane, so that the mirror direction lies in each strip"));
 
     @Mixin
     private IndexOption index;
@@ -86,7 +86,7 @@ public final class ColorCommand extends FileCommand {
     private DisplayOptions exposure;
 
     @Mixin
-    private final MethodOptions methodOptions = MethodOptions.choosingAverage("ensemble");
+    private final MethodOptions methodOptions = new MethodOptions(Map.of(MethodSettings.AVERAGE, "ensemble"));
 
     @Mixin
     private ResumeOption resume;

@@ -38,7 +38,6 @@ import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
-import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
@@ -150,12 +149,17 @@ public final class CompareCommand extends FileCommand {
     }
 
     private ScenePicture draw(SceneLoader loader, Scene scene, PictureSize size) {
-        ProgressDisplay display = environment().progress();
         PixelSamples samples = PixelSamples.of(scene.method(), size.width(), size.height());
         try (LoadingScene loading = new LoadingScene(loader, scene);
                 RenderContext context = loading.offscreen();
                 FrameSequence frames = new FrameSequence(
-                        context, loading.upload(context), size, samples, new FrameSequence.Overlays(), null, display)) {
+                        context,
+                        loading.upload(context),
+                        size,
+                        samples,
+                        new FrameSequence.Overlays(),
+                        null,
+                        environment())) {
             err().println("plan: " + frames.parts().get(0).method().summary());
             return frames.light(scene);
         }

@@ -32,13 +32,9 @@ public final class LightOptions extends SettingOptions {
         this(Map.of());
     }
 
-    private LightOptions(Map<Setting<?>, String> helpTexts) {
+    /** Makes options with other texts of the help for defaults that the command itself applies. */
+    public LightOptions(Map<Setting<?>, String> helpTexts) {
         super(List.of(THETA_I, PHI_I), helpTexts);
-    }
-
-    /** Returns the options of a command that chooses the azimuth itself if none is given; {@code chosen} is the help's text for it. */
-    public static LightOptions choosingAzimuth(String chosen) {
-        return new LightOptions(Map.of(PHI_I, chosen));
     }
 
     public Direction direction() {

@@ -25,11 +25,16 @@ public final class MethodOptions extends SettingOptions {
     private boolean explain;
 
     public MethodOptions() {
-        this(Methods.SETTINGS, Map.of());
+        this(Map.of());
     }
 
-    private MethodOptions(List<Setting<?>> settings, Map<Setting<?>, String> helpTexts) {
-        super(settings, helpTexts);
+    /** Makes options with other texts of the help for defaults that the command itself applies. */
+    public MethodOptions(Map<Setting<?>, String> helpTexts) {
+        super(Methods.SETTINGS, helpTexts);
+    }
+
+    private MethodOptions(List<Setting<?>> settings) {
+        super(settings);
     }
 
     /** Returns the options that at least one of these methods has, and {@code --method} if there are several. */
@@ -37,18 +42,13 @@ public final class MethodOptions extends SettingOptions {
         List<Setting<?>> method = types.length > 1 ? List.of(Methods.METHOD) : List.of();
         List<Setting<?>> settings = new ArrayList<>();
         Arrays.stream(types).forEach(type -> settings.addAll(type.settings()));
-        return new MethodOptions(Setting.union(method, settings), Map.of());
+        return new MethodOptions(Setting.union(method, settings));
     }
 
     /** Returns the options of commands that compute a color table for all directions. */
     public static SettingOptions ofTables(Map<Setting<?>, String> helpTexts) {
         List<Setting<?>> own = List.of(MethodSettings.TOLERANCE, MethodSettings.COHERENCE_LENGTH);
         return new SettingOptions(Setting.union(own, LightSettings.ALL), helpTexts);
-    }
-
-    /** Returns the options of a command that chooses the average itself if none is given; {@code chosen} is the help's text for it. */
-    public static MethodOptions choosingAverage(String chosen) {
-        return new MethodOptions(Methods.SETTINGS, Map.of(MethodSettings.AVERAGE, chosen));
     }
 
     /** Returns the choices with the ensemble average if none is chosen and the method has it: a single coherence area shows speckle. */

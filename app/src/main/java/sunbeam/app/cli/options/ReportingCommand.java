@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
@@ -15,16 +16,12 @@ public abstract class ReportingCommand implements Callable<Integer> {
     @Spec
     private CommandSpec specification;
 
-    @ParentCommand
-    private Root root;
-
     /** The root command, which has the environment. */
-    public interface Root {
-        Environment environment();
-    }
+    @ParentCommand
+    private Supplier<Environment> root;
 
     protected final Environment environment() {
-        return root.environment();
+        return root.get();
     }
 
     /** Returns standard error, for plans, warnings and notes. */

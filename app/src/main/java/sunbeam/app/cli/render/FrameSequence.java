@@ -46,7 +46,6 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
-import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -63,14 +62,16 @@ public final class FrameSequence implements AutoCloseable {
     // Tolerance of the exact points of a certificate: a quarter of the limit of the picture's median error.
     private static final double POINT_TOLERANCE = 5e-3;
 
-    private final PictureSize size;
+    private final RenderContext context;
+    private final Environment environment;
+    private final List<SceneSession> sessions;
+    private final PartSum sum;
+    private final int width;
+    private final int height;
     private final PixelSamples samples;
-    private final String renderer;
-    private final FrameText text;
     private final Overlays overlays;
     private final TevClient viewer;
-    private final ProgressDisplay display;
-    private final List<SceneSession> sessions;
+    private final FrameText text;
     private double exposure = 1;
     private LitPixels lit = LitPixels.NONE;
     private boolean drawn;
@@ -83,15 +84,17 @@ public final class FrameSequence implements AutoCloseable {
             PixelSamples samples,
             Overlays overlays,
             TevClient viewer,
-            ProgressDisplay display) {
-        this.display = display;
-        this.viewer = viewer;
-        this.overlays = overlays;
-        this.size = size;
-        this.samples = samples;
-        this.renderer = context.info().renderer();
+            Environment environment) {
+        this.context = context;
+        this.environment = environment;
         this.sessions = List.copyOf(sessions);
-        this.text = new FrameText(parts(), size.width(), size.height(), samples, overlays.describe());
+        this.sum = new PartSum(sessions);
+        this.width = size.width();
+        this.height = size.height();
+        this.samples = samples;
+        this.overlays = overlays;
+        this.viewer = viewer;
+        this.text = new FrameText(parts(), width, height, samples, overlays.describe());
     }
 
     /** Returns the data of all sessions. */
@@ -122,44 +125,44 @@ public final class FrameSequence implements AutoCloseable {
         if (first < 0) {
             return places;
         }
-        PartSum parts = new PartSum(sessions);
         exposure = (missing.get(0) ? OptionalDouble.empty() : recordedExposure(files.get(0)))
-                .orElseGet(() -> exposure(scenes.get(first), parts));
-        long frames = Collections.frequency(missing, true);
-        try (Progress progress = display.start("rendering", frames * size.width() * size.height())) {
+                .orElseGet(() -> automaticExposure(scenes.get(first)));
+        try (Progress progress = start(Collections.frequency(missing, true))) {
             for (int i = first; i < scenes.size(); i++) {
                 if (missing.get(i) || linear != null) {
-                    Path file = files.get(i);
-                    places.set(i, draw(parts, scenes.get(i), file, missing.get(i), overwrite, linear, progress));
+                    places.set(i, draw(scenes.get(i), files.get(i), missing.get(i), overwrite, linear, progress));
                 }
             }
         }
         return places;
     }
 
+    private Progress start(long frames) {
+        return environment.progress().start("rendering", frames * width * height);
+    }
+
     public ScenePicture light(Scene scene) {
-        PartSum parts = new PartSum(sessions);
-        ScenePicture picture = ScenePicture.empty(size.width(), size.height());
-        try (Progress progress = display.start("rendering", (long) size.width() * size.height())) {
-            int side = samples.side();
-            drawTiles(parts, progress, tile -> {
-                ScenePicture drawn = parts.draw(DrawRequest.ofPixels(scene, size.width(), size.height(), tile, side));
+        ScenePicture picture = ScenePicture.empty(width, height);
+        int side = samples.side();
+        try (Progress progress = start(1)) {
+            drawTiles(progress, tile -> {
+                ScenePicture drawn = sum.draw(DrawRequest.ofPixels(scene, width, height, tile, side));
                 picture.put(drawn.reduced(side), tile.x(), tile.y());
             });
         }
         return picture;
     }
 
-    private void drawTiles(PartSum parts, Progress progress, Consumer<Tile> drawing) {
-        for (Tile tile : SceneSession.tiles(size.width(), size.height(), samples.side())) {
+    private void drawTiles(Progress progress, Consumer<Tile> drawing) {
+        for (Tile tile : SceneSession.tiles(width, height, samples.side())) {
             drawing.accept(tile);
             progress.step(tile.pixels());
         }
-        parts.validate();
+        sum.validate();
     }
 
-    private double exposure(Scene scene, PartSum parts) {
-        return parts.exposure(scene, size.width(), size.height(), TimedTiles.large(), () -> false)
+    private double automaticExposure(Scene scene) {
+        return sum.exposure(scene, width, height, TimedTiles.large(), () -> false)
                 .orElseThrow();
     }
 
@@ -167,23 +170,16 @@ public final class FrameSequence implements AutoCloseable {
         return Decimals.parse(PngText.read(frame).getOrDefault("Exposure", ""));
     }
 
-    private Path draw(
-            PartSum parts,
-            Scene scene,
-            Path file,
-            boolean missing,
-            Overwrite overwrite,
-            Path linear,
-            Progress progress) {
+    private Path draw(Scene scene, Path file, boolean missing, Overwrite overwrite, Path linear, Progress progress) {
         // The linear picture takes the memory of four images, so it is made only if it is written.
-        ScenePicture picture = linear == null ? null : ScenePicture.empty(size.width(), size.height());
-        BufferedImage image = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
+        ScenePicture picture = linear == null ? null : ScenePicture.empty(width, height);
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         DisplayTransform display = scene.display(exposure);
         if (viewer != null) {
-            viewer.create(file.toString(), size.width(), size.height());
+            viewer.create(file.toString(), width, height);
         }
-        drawTiles(parts, progress, tile -> {
-            PixelPicture drawn = parts.draw(scene, size.width(), size.height(), tile, samples, exposure);
+        drawTiles(progress, tile -> {
+            PixelPicture drawn = sum.draw(scene, width, height, tile, samples, exposure);
             image.getRaster().setDataElements(tile.x(), tile.y(), drawn.image().getRaster());
             ScenePicture pixels = drawn.light();
             if (missing) {
@@ -199,25 +195,19 @@ public final class FrameSequence implements AutoCloseable {
         });
         if (linear != null) {
             float[] xyz = picture.linear().xyz();
-            AtomicFile.write(linear, overwrite, LinearFile.of(linear, xyz, size.width(), size.height()));
+            AtomicFile.write(linear, overwrite, LinearFile.of(linear, xyz, width, height));
         }
         if (!missing) {
             return file;
         }
         this.drawn = true;
         overlays.paint(image, scene, sessions.get(0));
-        return PngWriter.write(file, overwrite, image, text.of(scene, exposure, renderer));
+        return PngWriter.write(
+                file, overwrite, image, text.of(scene, exposure, context.info().renderer()));
     }
 
     /** Compares random pixels with points of the scene by method full, and returns the exit code that the picture deserves. */
-    ExitCode certify(
-            RenderContext context,
-            Environment environment,
-            Scene scene,
-            int count,
-            Map<String, Object> report,
-            PrintWriter out,
-            PrintWriter err) {
+    ExitCode certify(Scene scene, int count, Map<String, Object> report, PrintWriter out, PrintWriter err) {
         Scene points = scene.withMethod(scene.method()
                 .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, POINT_TOLERANCE)));
         List<SceneSession> exact = new ArrayList<>();
@@ -225,12 +215,12 @@ public final class FrameSequence implements AutoCloseable {
             List<SceneData> parts = new SceneLoader(environment, warning -> {}).parts(points, parts(), share -> {});
             parts.forEach(part -> exact.add(new SceneSession(context, part)));
             Scene drawn = parts.get(0).scene();
-            Certificate certificate = new Certificate.SceneCertifier(size.width(), size.height(), samples)
-                    .certify(new PartSum(sessions), scene, new PartSum(exact), drawn, exposure, count);
+            Certificate certificate = new Certificate.SceneCertifier(width, height, samples)
+                    .certify(sum, scene, new PartSum(exact), drawn, exposure, count);
             report.put("certificate", ReportFields.of(certificate));
             // A larger --supersample does not reduce the errors of the table at the footprints of these pixels.
             List<ErrorStatistics> tables = sessions.stream()
-                    .flatMap(part -> part.tableErrors(scene, size.width(), size.height(), samples).stream())
+                    .flatMap(part -> part.tableErrors(scene, width, height, samples).stream())
                     .toList();
             tables.forEach(errors -> out.println("table: " + errors + " at " + errors.count() + " samples"));
             double tolerance = scene.method().get(TOLERANCE);
@@ -256,7 +246,7 @@ public final class FrameSequence implements AutoCloseable {
 
     /** Returns the lit pixels of all drawn frames; empty if no frame was drawn, or if frames are too narrow for a statement. */
     Optional<LitPixels> lit() {
-        return drawn && size.width() >= FEWEST_PIXELS ? Optional.of(lit) : Optional.empty();
+        return drawn && width >= FEWEST_PIXELS ? Optional.of(lit) : Optional.empty();
     }
 
     @Override

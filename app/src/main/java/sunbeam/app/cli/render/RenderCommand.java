@@ -147,13 +147,7 @@ public final class RenderCommand extends FileCommand {
                 : PixelSamples.of(scene.method(), size.width(), size.height());
         try (TevClient viewer = tev.connect(err).orElse(null);
                 FrameSequence frames = new FrameSequence(
-                        context,
-                        loading.upload(context),
-                        size,
-                        samples,
-                        overlays,
-                        viewer,
-                        environment().progress())) {
+                        context, loading.upload(context), size, samples, overlays, viewer, environment())) {
             List<SceneData> parts = frames.parts();
             SceneData.ofRegions(parts, RenderCommand::plan)
                     .forEach(plan -> err.println(plan + "; " + samples.describe()));
@@ -167,7 +161,7 @@ public final class RenderCommand extends FileCommand {
                 json.print(out, report, written);
             }
             ExitCode certified = certify.count()
-                    .map(count -> frames.certify(context, environment(), scene, count, report, json.text(out), err))
+                    .map(count -> frames.certify(scene, count, report, json.text(out), err))
                     .orElse(ExitCode.OK);
             if (json.isGiven()) {
                 json.print(out, report, written);

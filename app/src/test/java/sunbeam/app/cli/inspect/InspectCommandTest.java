@@ -1,7 +1,6 @@
 package sunbeam.app.cli.inspect;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -55,22 +54,6 @@ final class InspectCommandTest extends CommandLineFixture {
         assertThat(out.toString())
                 .containsPattern(
                         "energy    from above, at 620 nm the model reflects 1.1\\d times the light of a mirror");
-    }
-
-    @Test
-    void programsReadTheReportAsJson() throws IOException {
-        assertSuccess(sunbeam("inspect sinusoid --json --output @sheet.png"));
-
-        JsonNode report = new ObjectMapper().readTree(out.toString());
-        assertThat(report.get("patch").textValue()).isEqualTo("sinusoid");
-        assertThat(report.at("/files/0").textValue()).isEqualTo(picture());
-        assertThat(report.get("sampling_is_fine_enough").booleanValue()).isTrue();
-        // Exact but for the rounding of doubles.
-        assertThat(report.at("/period_m").doubleValue()).isCloseTo(2.5e-6, within(1e-12));
-        assertThat(report.at("/direction_deg").doubleValue()).isCloseTo(0, within(1e-6));
-        double pitch =
-                report.get("width_m").doubleValue() / report.get("columns").intValue();
-        assertThat(pitch).isLessThan(95e-9);
     }
 
     /** Elaphe's ridges are uneven; each part holds ten or more. */

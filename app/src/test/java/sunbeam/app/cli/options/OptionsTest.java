@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -95,6 +96,8 @@ class OptionsTest extends CommandLineFixture {
                 "--anchor floor|--anchor floor is of the thesis's bins, which a plan for a tolerance does not sum; leave it"
                         + " out, or give --preset thesis",
                 "--method nmm --interpolation sinc|--interpolation sinc belongs to --method pq, not nmm; leave it out",
+                "--terms 5 --method gem|--terms 5 belongs to --method full, nmm or pq, not gem; leave it out",
+                "--radius 1 --method reference|--radius 1 belongs to --method full or nmm, not reference; leave it out",
                 "--replicas 3|--replicas 3 belongs to --method pq or reference, not full; leave it out or use --method pq",
                 "--spacing 1um|--spacing 1 um belongs to --method gem, not full; leave it out or use --method gem",
                 "--method pq --replicas 0|--replicas 0 is out of range; give 1 to 10000",
@@ -111,26 +114,12 @@ class OptionsTest extends CommandLineFixture {
                 .hasMessageContaining(words);
     }
 
-    @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "--tolerance 0.01", "--expansion taylor", "--terms 5",
-                "--radius 1", "--anchor floor", "--wavelength-step 5nm"
-            })
-    void aMethodWithoutTablesTakesNoChoiceOfThem(String option) {
-        for (String method : new String[] {"reference", "gem"}) {
-            assertThatThrownBy(() -> method(option + " --method " + method))
-                    .hasMessageStartingWith(option.substring(0, option.indexOf(' ')))
-                    .hasMessageContainingAll("belongs to --method full", "not " + method + "; leave it out");
-        }
-    }
-
     @Test
     void helpTellsWhatACommandChoosesItself() {
-        MethodOptions options = MethodOptions.choosingAverage("ensemble");
+        MethodOptions options = new MethodOptions(Map.of(MethodSettings.AVERAGE, "ensemble"));
         String help = new CommandLine(options).getUsageMessage().replaceAll("\\s+", " ");
         assertThat(help).contains("Default: ensemble.").doesNotContain("Default: coherent");
-        LightOptions light = LightOptions.choosingAzimuth("the strongest direction");
+        LightOptions light = new LightOptions(Map.of(LightOptions.PHI_I, "the strongest direction"));
         CommandLine line = new CommandLine(light);
         assertThat(line.getUsageMessage().replaceAll("\\s+", " "))
                 .contains("from +x. Default: the strongest direction.", "Default: 0 deg.");

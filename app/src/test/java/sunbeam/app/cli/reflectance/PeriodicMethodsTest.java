@@ -97,14 +97,13 @@ class PeriodicMethodsTest {
 
     @Test
     void theThesissFormHasAPurpleCast() {
-        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         List<DirectionPair> plane = MethodProbe.gratingPlane(301);
-        double full = blueness(probe.colors(plane, ""));
-        double weighted = blueness(probe.colors(plane, "--method nmm"));
+        double full = blueness(blaze.colors(plane, ""));
+        double weighted = blueness(blaze.colors(plane, "--method nmm"));
         // Leave out the white mirror order around u = v = 0.
         List<DirectionPair> orders =
                 plane.stream().filter(g -> Math.abs(g.u()) > 0.16).toList();
-        double thesis = blueness(probe.colors(orders, "--method nmm --preset thesis"));
+        double thesis = blueness(blaze.colors(orders, "--method nmm --preset thesis"));
         assertThat(weighted / full).isBetween(0.99, 1.01);
         // An order at 450 nm is (450 / 600)^2 = 0.56 times as wide as one at 600 nm; unweighted, it counts as much. On
         // average over an order's colors, at least a tenth more blue.
@@ -118,11 +117,10 @@ class PeriodicMethodsTest {
 
     @Test
     void theSpecularDirectionHasItsLimit() {
-        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         List<DirectionPair> specular =
                 List.of(MethodProbe.inPlane(0, 0), MethodProbe.inPlane(0, 0.01), MethodProbe.inPlane(0, 0.6));
-        List<float[]> full = probe.colors(specular, "--tolerance 1e-4");
-        List<float[]> nmm = probe.colors(specular, "--method nmm");
+        List<float[]> full = blaze.colors(specular, "--tolerance 1e-4");
+        List<float[]> nmm = blaze.colors(specular, "--method nmm");
         for (int i = 0; i < specular.size(); i++) {
             // 5 nm steps of a smooth spectrum, and the default tolerance of the expansion.
             assertThat(MethodProbe.relativeError(nmm.get(i), full.get(i))).isLessThan(3e-3);
@@ -142,12 +140,11 @@ class PeriodicMethodsTest {
 
     @Test
     void colorsFollowTheGratingEquation() {
-        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         // Spacing 1 um: the first order of 460 nm, 560 nm and 680 nm, and the dark between the orders.
         List<DirectionPair> directions = DoubleStream.of(0.46, 0.58, 0.68, 0.30, 0)
                 .mapToObj(sine -> MethodProbe.inPlane(0, Math.toDegrees(Math.asin(sine))))
                 .toList();
-        List<float[]> xyz = probe.colors(directions, "--method gem --spacing 1um");
+        List<float[]> xyz = blaze.colors(directions, "--method gem --spacing 1um");
         assertThat(xyz.get(0)[2]).isGreaterThan(2 * xyz.get(0)[0]);
         assertThat(xyz.get(1)[1]).isGreaterThan(xyz.get(1)[0]).isGreaterThan(xyz.get(1)[2]);
         assertThat(xyz.get(2)[0]).isGreaterThan(xyz.get(2)[1]).isGreaterThan(xyz.get(2)[2]);
@@ -158,14 +155,13 @@ class PeriodicMethodsTest {
     /** The sum of the bumps in X, Y and Z over all orders with a visible wavelength, across the lines. */
     @Test
     void theThesissFormIsALineOfAllVisibleOrders() {
-        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         double u = 0.75;
         double angle = Math.toDegrees(Math.asin(u));
         List<DirectionPair> directions = List.of(
                 MethodProbe.inPlane(0, angle),
                 new DirectionPair(Direction.ofDegrees(0, 0), Direction.ofDegrees(angle, 1)),
                 MethodProbe.inPlane(0, 0));
-        List<float[]> xyz = probe.colors(directions, "--method gem --preset thesis");
+        List<float[]> xyz = blaze.colors(directions, "--method gem --preset thesis");
         double slope = 1.5 * u / (1 + Math.sqrt(1 - u * u));
         double[] white = {0.95047, 1, 1.08883};
         for (int c = 0; c < 3; c++) {
