@@ -34,6 +34,10 @@ class EnergyDivisorTest {
         return Surfaces.sampled(SAMPLES, 2, TRACK / SAMPLES, (column, row) -> column < SAMPLES / 2 ? 0 : DEPTH);
     }
 
+    private static EnergyDivisor divisor(HeightMap map) {
+        return new EnergyDivisor(map, RefractiveIndex.KERATIN, SUNLIGHT);
+    }
+
     /** |F_m|^2 of the sampled tracks. */
     private static double power(int m, double phase) {
         double share = m % 2 == 0 ? 0 : 1 / (SAMPLES / 2.0 * Math.sin(Math.PI * m / SAMPLES));
@@ -84,7 +88,7 @@ class EnergyDivisorTest {
     void aDiscSendsOutNoMoreThanAMirrorOfItsMaterial(double theta, double phi, double nanometers) {
         Direction wi = Direction.ofDegrees(theta, phi);
         double sent = furnace(wi, nanometers * 1e-9, SUNLIGHT);
-        double divisor = new EnergyDivisor(tracks(), RefractiveIndex.KERATIN, SUNLIGHT).at(wi, nanometers * 1e-9);
+        double divisor = divisor(tracks()).at(wi, nanometers * 1e-9);
         // 1 %: what is left of the light beside an order's Gaussian where it crosses the horizon.
         assertThat(sent / divisor).isLessThan(1.01);
         assertThat(divisor).isCloseTo(Math.max(1, sent), within(0.01 * sent));
@@ -113,17 +117,16 @@ class EnergyDivisorTest {
     void aPatchOfFewOrdersIsDividedAsAWhole() {
         HeightMap three = Surfaces.sampled(300, 2, TRACK / 100, (column, row) -> column % 100 < 50 ? 0 : DEPTH);
         HeightMap one = Surfaces.sampled(100, 2, TRACK / 100, (column, row) -> column < 50 ? 0 : DEPTH);
-        double expected = new EnergyDivisor(one, RefractiveIndex.KERATIN, SUNLIGHT).at(ABOVE, 720e-9);
+        double expected = divisor(one).at(ABOVE, 720e-9);
         assertThat(expected).isGreaterThan(1.3);
         // The expansions of both err by 1e-6 rms.
-        assertThat(new EnergyDivisor(three, RefractiveIndex.KERATIN, SUNLIGHT).at(ABOVE, 720e-9))
-                .isCloseTo(expected, within(1e-5));
+        assertThat(divisor(three).at(ABOVE, 720e-9)).isCloseTo(expected, within(1e-5));
     }
 
     @Test
     void aMirrorAndAShallowSurfaceAreNotDivided() {
         HeightMap mirror = Surfaces.of(16, 16, 100e-9, (x, y) -> 0);
-        EnergyDivisor divisor = new EnergyDivisor(mirror, RefractiveIndex.KERATIN, SUNLIGHT);
+        EnergyDivisor divisor = divisor(mirror);
         // float32 amplitudes; under grazing light a part of the mirror's Gaussian is beyond the horizon.
         assertThat(divisor.at(Direction.ofDegrees(40, 10), 500e-9)).isCloseTo(1, within(1e-4));
         assertThat(divisor.ofColors(Direction.ofDegrees(40, 10), CieTable.load()))
@@ -132,7 +135,7 @@ class EnergyDivisorTest {
 
     @Test
     void colorsKeepTheLuminanceOfTheExactDivisors() {
-        EnergyDivisor divisor = new EnergyDivisor(tracks(), RefractiveIndex.KERATIN, SUNLIGHT);
+        EnergyDivisor divisor = divisor(tracks());
         Direction wi = Direction.ofDegrees(10, 0);
         CieTable light = CieTable.load();
         CieTable divided = divisor.under(wi, light);
@@ -152,7 +155,7 @@ class EnergyDivisorTest {
 
     @Test
     void aLasersDivisorIsThatOfItsWavelength() {
-        EnergyDivisor divisor = new EnergyDivisor(tracks(), RefractiveIndex.KERATIN, SUNLIGHT);
+        EnergyDivisor divisor = divisor(tracks());
         CieTable laser = CieTable.of(Observer.CIE1931, Illuminant.of("E"), WavelengthBand.parse("700nm"));
         Direction wi = Direction.ofDegrees(0, 0);
         assertThat(divisor.ofColors(wi, laser)).isCloseTo(divisor.at(wi, 700e-9), within(0.01));

@@ -23,17 +23,13 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
     enum Kind {
         /** A shift sideways by a part of a period at one row. */
         SLIPPED,
-        SLIPPED_TWICE,
         /** Shifts at five rows, equally far apart and equally large. */
         SLIPPED_OFTEN,
-        /** Another period below than above, the lines nearly continuous at one side. */
-        TWO_PARTS,
         /** Another period in the lower half, at a random place and by a random ratio. */
         TWO_HALVES,
         SIDE_BY_SIDE,
         /** Lost rows: from one row on the surface continues further on. */
         ROWS_LOST,
-        LOST_OFTEN,
         /** Some rows repeat one row, and the surface continues after them. */
         STUCK,
         /** The rest repeats one row. */
@@ -51,7 +47,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
         ALIGNED
     }
 
-    private static final Set<Kind> SIDEWAYS = EnumSet.of(Kind.SLIPPED, Kind.SLIPPED_TWICE, Kind.SLIPPED_OFTEN);
+    private static final Set<Kind> SIDEWAYS = EnumSet.of(Kind.SLIPPED, Kind.SLIPPED_OFTEN);
     private static final double SMOOTH = 0.05;
 
     /** The program's estimate for the measured part of the scan; empty where it refuses. */
@@ -121,35 +117,26 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
         SplittableRandom random = draw.random();
         int rows = draw.rows();
         int first = (int) (rows * (0.15 + 0.7 * random.nextDouble()));
-        int second = draw.kind() == Kind.SLIPPED_TWICE ? (int) (rows * (0.15 + 0.7 * random.nextDouble())) : rows;
         double slip = draw.period() / Math.max(0.3, Math.cos(draw.angle())) * (0.1 + 0.8 * random.nextDouble());
-        double secondSlip = draw.period() / Math.max(0.3, Math.cos(draw.angle())) * (0.1 + 0.8 * random.nextDouble());
         int length = 3 + random.nextInt(Math.max(4, rows / 6));
         double limit = random.nextBoolean() ? 0.3 + 0.5 * random.nextDouble() : -0.2 - 0.5 * random.nextDouble();
         double noise = 0.03 * random.nextDouble();
         boolean halves = draw.kind() == Kind.TWO_HALVES || draw.kind() == Kind.SIDE_BY_SIDE;
-        double ratio = halves ? 1.05 + 0.2 * random.nextDouble() : 1.15;
+        double ratio = halves ? 1.05 + 0.2 * random.nextDouble() : 1;
         double place = random.nextDouble();
         double[] heights = new double[draw.columns() * rows];
         for (int row = 0; row < rows; row++) {
-            double shift = draw.kind() == Kind.SLIPPED_OFTEN
-                    ? slip * Math.floor(6.0 * row / rows)
-                    : (row >= first ? slip : 0) + (row >= second ? secondSlip : 0);
+            double shift =
+                    draw.kind() == Kind.SLIPPED_OFTEN ? slip * Math.floor(6.0 * row / rows) : row >= first ? slip : 0;
             int source = switch (draw.kind()) {
                 case ROWS_LOST -> row >= first ? row + length : row;
-                case LOST_OFTEN -> row + length * (6 * row / rows);
                 case STUCK -> row >= first && row < first + length ? first : row;
                 case ABORTED -> Math.min(row, first);
                 default -> row;
             };
             boolean sideways = SIDEWAYS.contains(draw.kind());
             for (int column = 0; column < draw.columns(); column++) {
-                boolean other = switch (draw.kind()) {
-                    case TWO_PARTS -> row >= first;
-                    case TWO_HALVES -> row >= rows / 2;
-                    case SIDE_BY_SIDE -> column >= draw.columns() / 2;
-                    default -> false;
-                };
+                boolean other = draw.kind() == Kind.SIDE_BY_SIDE ? column >= draw.columns() / 2 : row >= rows / 2;
                 double wider = other ? ratio : 1;
                 double further = draw.kind() == Kind.DISLOCATED
                         ? Math.atan2(row - first + 0.5, column - (0.3 + 0.4 * place) * draw.columns()) / (2 * Math.PI)
@@ -173,10 +160,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
             // One side of its end has a line more.
             return new FaultyScan(Leveling.PLANE.apply(map), draw.withHalfALine(), true, words);
         }
-        double[] truths = halves || draw.kind() == Kind.TWO_PARTS
-                ? new double[] {draw.period(), ratio * draw.period()}
-                : new double[] {draw.period()};
-        return scan(map, truths, words);
+        return scan(map, new double[] {draw.period(), ratio * draw.period()}, words);
     }
 
     private static FaultyScan scan(HeightMap map, double[] truths, String words) {

@@ -3,6 +3,7 @@ package sunbeam.precompute.analysis;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.IntStream;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Leveling;
@@ -41,18 +42,15 @@ enum PeriodlessSurface {
             case CORRELATED -> smoothed(columns, rows, 1 + random.nextInt(8), random);
             case FRACTAL -> fractal(columns, rows, 1 + random.nextDouble(), random);
             case BOW -> bow(columns, rows, random);
-            case DRIFT ->
-                along(columns, rows, random.nextDouble() * Math.PI, waves(4, 0.2, 2.5, turns -> 1 / turns, random));
+            case DRIFT -> along(columns, rows, random.nextDouble() * Math.PI, drift(random));
             case ONE_STEP -> along(columns, rows, random.nextDouble() * Math.PI, steps(1, random));
             case TWO_STEPS -> along(columns, rows, random.nextDouble() * Math.PI, steps(2, random));
-            case COLUMNS -> columns(columns, rows, random);
+            case COLUMNS -> {
+                double[] profile = smoothed(columns, 1, random.nextInt(4), random);
+                yield Surfaces.sampled(columns, rows, PITCH, (column, row) -> profile[column])
+                        .heights();
+            }
         };
-    }
-
-    private static double[] columns(int columns, int rows, SplittableRandom random) {
-        double[] profile = smoothed(columns, 1, random.nextInt(4), random);
-        return Surfaces.sampled(columns, rows, PITCH, (column, row) -> profile[column])
-                .heights();
     }
 
     private static double[] along(int columns, int rows, double angle, DoubleUnaryOperator profile) {
@@ -66,7 +64,7 @@ enum PeriodlessSurface {
     }
 
     private static DoubleUnaryOperator steps(int count, SplittableRandom random) {
-        boolean up = count > 2 || random.nextBoolean();
+        boolean up = random.nextBoolean();
         double[] widths = random.doubles(count + 1, 1, 3).toArray();
         double total = Arrays.stream(widths).sum();
         return t -> {
@@ -80,17 +78,13 @@ enum PeriodlessSurface {
         };
     }
 
-    private static DoubleUnaryOperator waves(
-            int count, double fewest, double most, DoubleUnaryOperator amplitude, SplittableRandom random) {
-        double[] phases = random.doubles(count, 0, 2 * Math.PI).toArray();
-        double[] turns = random.doubles(count, fewest, most).toArray();
-        return t -> {
-            double sum = 0;
-            for (int i = 0; i < count; i++) {
-                sum += amplitude.applyAsDouble(turns[i]) * Math.sin(Math.PI * turns[i] * t + phases[i]);
-            }
-            return sum;
-        };
+    /** Four slow waves, the slowest highest. */
+    private static DoubleUnaryOperator drift(SplittableRandom random) {
+        double[] phases = random.doubles(4, 0, 2 * Math.PI).toArray();
+        double[] turns = random.doubles(4, 0.2, 2.5).toArray();
+        return t -> IntStream.range(0, turns.length)
+                .mapToDouble(i -> Math.sin(Math.PI * turns[i] * t + phases[i]) / turns[i])
+                .sum();
     }
 
     private static double[] bow(int columns, int rows, SplittableRandom random) {

@@ -43,15 +43,6 @@ class FileScaleTest {
                 file, Stream.concat(level, Arrays.stream(choices)).toArray());
     }
 
-    @Test
-    void filesWithAScaleNeedNoSettings() throws IOException {
-        HeightMap map = load(file(HEADER + NUMBERS)).scan();
-
-        assertThat(map.width()).isCloseTo(4e-6, within(1e-20));
-        assertThat(map.height()).isCloseTo(3e-6, within(1e-20));
-        assertThat(map.at(1, 2)).isCloseTo(90e-9, within(1e-22));
-    }
-
     private static Setting<?> setting(String key) {
         return PatchSettings.OF_FILES.stream()
                 .filter(setting -> setting.key().equals(key))
@@ -59,7 +50,7 @@ class FileScaleTest {
                 .orElseThrow();
     }
 
-    /** Of a file with a scale, of numbers alone and of numbers in one row. */
+    /** Of a file with a scale, of numbers alone, of numbers in one row and of an image. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', emptyValue = "", textBlock = """
             scale   | channel=Hight          | Setting | scan.txt, which has Height (did you mean "Height"?)
@@ -73,11 +64,14 @@ class FileScaleTest {
             numbers | heightUnit=nm          | Input   | how large the scan is; add for example --width 20um
             row     | width=4um heightUnit=nm | Input  | --columns is missing & 12 numbers in one row
             row     | columns=5              | Setting | --columns 5 does not divide the 12 numbers
+            image   | width=4um heightUnit=nm | Setting | --height-unit nm is for numbers without unit & --max-height
             """)
     void missingAndContradictingSettingsAreTold(String kind, String choices, String exception, String words)
             throws IOException {
         String numbers = kind.equals("row") ? NUMBERS.replace('\n', ' ') : NUMBERS;
-        Path file = file(kind.equals("scale") ? HEADER + numbers : numbers);
+        Path file = kind.equals("image")
+                ? TestImages.write(TestImages.gray8(4, 4, (c, r, b) -> c), folder.resolve("grey.png"))
+                : file(kind.equals("scale") ? HEADER + numbers : numbers);
         String[] parts = choices.isEmpty() ? new String[0] : choices.split("[ =]", -1);
         Object[] given = IntStream.range(0, parts.length)
                 .mapToObj(i -> i % 2 == 0 ? setting(parts[i]) : parts[i])
@@ -92,10 +86,12 @@ class FileScaleTest {
     @CsvSource({"width, 4um", "height, 0.003 mm", "heightUnit, nm"})
     void settingsMayRepeatTheFile(String key, String word) throws IOException {
         Path file = file(HEADER + NUMBERS);
-        HeightMap map = load(file, setting(key), word).heights();
+        HeightMap map = load(file, setting(key), word).scan();
 
-        assertThat(map.width()).isEqualTo(load(file).heights().width());
-        assertThat(map.at(1, 2)).isEqualTo(load(file).heights().at(1, 2));
+        assertThat(map.width()).isCloseTo(4e-6, within(1e-20));
+        assertThat(map.height()).isCloseTo(3e-6, within(1e-20));
+        assertThat(map.at(1, 2)).isCloseTo(90e-9, within(1e-22));
+        assertThat(map.digest()).isEqualTo(load(file).scan().digest());
     }
 
     @Test
@@ -173,14 +169,5 @@ class FileScaleTest {
         assertThatThrownBy(() -> load(file, WIDTH, "4um", MAX_HEIGHT, "400mm"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("--max-height 400 mm makes a relief of 18.3108 um");
-    }
-
-    @Test
-    void wholeNumbersHaveNoUnit() throws IOException {
-        Path file = TestImages.write(TestImages.gray8(4, 4, (c, r, b) -> c), folder.resolve("grey.png"));
-
-        assertThatThrownBy(() -> load(file, WIDTH, "4um", HEIGHT_UNIT, "nm"))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContainingAll("--height-unit nm is for numbers without unit", "--max-height");
     }
 }

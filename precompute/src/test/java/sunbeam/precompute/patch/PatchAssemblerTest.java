@@ -19,6 +19,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
@@ -110,26 +112,24 @@ class PatchAssemblerTest {
 
     @Test
     void linesAreSyntheticWhereTheyAreTheSameAllAlongThem() {
-        assertThat(looksSynthetic((column, row) -> column < 16 ? 1e-7 : 0)).isTrue();
-        assertThat(looksSynthetic((column, row) -> 1e-7 * Math.cos(2 * Math.PI * row / 24)))
-                .isTrue();
-        assertThat(looksSynthetic((column, row) -> (column < 16 ? 1e-7 : 0) + 1e-9 * Math.sin(7.0 * column * row)))
-                .isFalse();
-        assertThat(looksSynthetic((column, row) -> 0)).isFalse();
-        assertThat(looksSynthetic((column, row) -> row == 0 && column == 7 ? Double.NaN : 1e-9 * column))
-                .isFalse();
+        assertSynthetic(true, (column, row) -> column < 16 ? 1e-7 : 0);
+        assertSynthetic(true, (column, row) -> 1e-7 * Math.cos(2 * Math.PI * row / 24));
+        assertSynthetic(false, (column, row) -> (column < 16 ? 1e-7 : 0) + 1e-9 * Math.sin(7.0 * column * row));
+        assertSynthetic(false, (column, row) -> 0);
+        assertSynthetic(false, (column, row) -> row == 0 && column == 7 ? Double.NaN : 1e-9 * column);
     }
 
-    private static boolean looksSynthetic(Surfaces.Samples samples) {
-        return PatchAssembler.looksSynthetic(Surfaces.sampled(32, 24, 100e-9, samples));
+    private static void assertSynthetic(boolean synthetic, Surfaces.Samples samples) {
+        assertThat(PatchAssembler.looksSynthetic(Surfaces.sampled(32, 24, 100e-9, samples)))
+                .isEqualTo(synthetic);
     }
 
-    @Test
-    void isSilentUpToAQuarterOfTheShortestWavelength() {
-        assertThat(Plausibility.pitch(map(2, 2, 95e-9, 95e-9))).isEmpty();
-        // 95 nm that come out of a division.
-        assertThat(Plausibility.pitch(map(3, 3, 3 * 95e-9 / 3, 95.00000000001e-9)))
-                .isEmpty();
+    /** Up to a quarter of the shortest wavelength, also out of a division; not along an axis with a single sample. */
+    @ParameterizedTest
+    @CsvSource({"2, 2, 95e-9, 95e-9", "3, 3, 95e-9, 95.00000000001e-9", "4, 1, 50e-9, 1e-6", "1, 4, 1e-6, 50e-9"})
+    void isSilentAboutFinePitches(int columns, int rows, double pitchX, double pitchY) {
+        assertThat(Plausibility.pitch(map(columns, rows, pitchX, pitchY))).isEmpty();
+        assertThat(Plausibility.pitch(Surfaces.of(10, 10, 1e-6, (x, y) -> 0))).isEmpty();
     }
 
     @Test
@@ -137,17 +137,6 @@ class PatchAssemblerTest {
         assertThat(Plausibility.pitch(map(2, 2, 120e-9, 50e-9)).orElseThrow())
                 .contains("too coarse", "120 nm", "along x", "95 nm", "380 nm");
         assertThat(Plausibility.pitch(map(2, 2, 50e-9, 96e-9)).orElseThrow()).contains("96 nm", "along y");
-    }
-
-    @Test
-    void aFlatSurfaceIsSampledFinely() {
-        assertThat(Plausibility.pitch(Surfaces.of(10, 10, 1e-6, (x, y) -> 0))).isEmpty();
-    }
-
-    @Test
-    void doesNotJudgeAnAxisWithASingleSample() {
-        assertThat(Plausibility.pitch(map(4, 1, 50e-9, 1e-6))).isEmpty();
-        assertThat(Plausibility.pitch(map(1, 4, 1e-6, 50e-9))).isEmpty();
     }
 
     @Test
@@ -182,31 +171,20 @@ class PatchAssemblerTest {
         return new ModelError(meanSlope, 0, 0, 0);
     }
 
-    @Test
-    void theMeanSlopeOfAGratingIsTwiceItsDepthOverItsPeriod() {
-        double period = 100 * PITCH;
-        HeightMap sine = Surfaces.of(1000, 1, PITCH, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / period));
-
-        // 10 samples a quarter period and a missing seam: 1e-3.
-        assertThat(ModelError.of(sine).meanSlope()).isCloseTo(2 * 100e-9 / period, within(4e-4));
-    }
-
     /** Three gratings of docs/examples/coupled_waves.py, from the middle of their ranges. */
     @Test
     void theRuleHoldsForGratingsThatWereComputedRigorously() {
         // sinusoidal, metal, period 1.4195 um, depth 56.17 nm, 21.58 degrees: 0.0158.
-        assertThat(between(2 * 56.17e-3 / 1.4195, Incidence.NEAR_NORMAL, 0.0158))
-                .isTrue();
+        assertBetween(2 * 56.17e-3 / 1.4195, Incidence.NEAR_NORMAL, 0.0158);
         // blazed, metal, period 1.3454 um, depth 188.07 nm, 15.35 degrees: 0.196.
-        assertThat(between(2 * 188.07e-3 / 1.3454, Incidence.NEAR_NORMAL, 0.196))
-                .isTrue();
+        assertBetween(2 * 188.07e-3 / 1.3454, Incidence.NEAR_NORMAL, 0.196);
         // blazed, dielectric, period 1.9533 um, depth 480.37 nm, 57.29 degrees: 0.228.
-        assertThat(between(2 * 480.37e-3 / 1.9533, Incidence.OBLIQUE, 0.228)).isTrue();
+        assertBetween(2 * 480.37e-3 / 1.9533, Incidence.OBLIQUE, 0.228);
     }
 
-    private static boolean between(double meanSlope, Incidence incidence, double error) {
-        return rule(meanSlope).low(incidence) <= error
-                && error <= rule(meanSlope).high(incidence);
+    private static void assertBetween(double meanSlope, Incidence incidence, double error) {
+        ModelError rule = rule(meanSlope);
+        assertThat(error).isBetween(rule.low(incidence), rule.high(incidence));
     }
 
     @Test
@@ -222,6 +200,8 @@ class PatchAssemblerTest {
                 ModelError.of(Surfaces.of(800, 10, PITCH, (x, y) -> 5e-3 + 100e-9 * Math.sin(2 * Math.PI * x / 2e-6)));
         assertThat(slopes.largestSlope()).isCloseTo(steepest, within(7e-4 * steepest));
         assertThat(slopes.rmsSlope()).isCloseTo(steepest / Math.sqrt(2), within(3e-3 * steepest));
+        // Twice the depth over the period; 50 samples a quarter period and a missing seam: 2e-3.
+        assertThat(slopes.meanSlope()).isCloseTo(2 * 200e-9 / 2e-6, within(4e-4));
     }
 
     @Test

@@ -163,21 +163,12 @@ class PreparationTest {
         assertThatThrownBy(() -> Crop.KIND.parse(written)).hasMessage('"' + written + '"' + FORM);
     }
 
-    @Test
-    void anAreaMayStartAtZeroWithoutAUnit() {
-        assertThat(Crop.KIND.parse("0:5um,0:2.5um")).isEqualTo(new Crop(0, 5e-6, 0, 2.5e-6));
-    }
-
     private static final double OFFSET = 1e-3;
     /** Doubles near 1 mm have steps of 2.2e-19 m, which remain after a subtraction. */
     private static final double ROUNDING_OF_OFFSET = 2.2e-19;
 
     private static HeightMap map(int columns, int rows, Surfaces.Samples samples) {
         return Surfaces.sampled(columns, rows, PITCH, samples);
-    }
-
-    private static double mean(HeightMap map) {
-        return Arrays.stream(map.heights()).average().orElseThrow();
     }
 
     @Test
@@ -193,7 +184,7 @@ class PreparationTest {
                     .isBetween(-2 * ROUNDING_OF_OFFSET, 2 * ROUNDING_OF_OFFSET);
         }
         // The second pass sums 2e4 values below 1e-6 m, relative rounding 1e-16 each.
-        assertThat(mean(leveled)).isBetween(-1e-20, 1e-20);
+        assertThat(Arrays.stream(leveled.heights()).average().orElseThrow()).isBetween(-1e-20, 1e-20);
     }
 
     @ParameterizedTest
@@ -234,7 +225,6 @@ class PreparationTest {
     @Test
     void planeTakesTheSlopeAlongTheLineWhenOnlyALineIsKnown() {
         HeightMap diagonal = map(5, 5, (c, r) -> c == r ? 2e-9 * c : Double.NaN);
-
         assertThat(largest(Leveling.PLANE.apply(diagonal))).isLessThan(1e-23);
     }
 
@@ -292,11 +282,8 @@ class PreparationTest {
 
     @Test
     void fillsAVeryLargeHoleFromOneSample() {
-        double[] heights = new double[1000 * 1000];
-        Arrays.fill(heights, NAN);
-        heights[0] = 7;
-
-        assertThat(MissingHeights.fill(map(1000, 1000, heights)).heights()).containsOnly(7);
+        HeightMap one = map(1000, 1000, (c, r) -> c + r == 0 ? 7 : NAN);
+        assertThat(MissingHeights.fill(one).heights()).containsOnly(7);
     }
 
     @Test

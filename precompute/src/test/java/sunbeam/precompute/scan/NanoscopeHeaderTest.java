@@ -102,10 +102,9 @@ class NanoscopeHeaderTest {
     })
     void theHeightFollowsFromTheAspectRatioUnlessBothSidesAreGiven(String aspect, String size, double height)
             throws IOException {
-        assertSides(
-                read(text -> text.replace("Ratio: 1:1", "Ratio: " + aspect).replace("Size: 10 10 ~m", "Size: " + size)),
-                10e-6,
-                height);
+        UnaryOperator<String> change =
+                text -> text.replace("Ratio: 1:1", "Ratio: " + aspect).replace("Size: 10 10 ~m", "Size: " + size);
+        assertSides(read(change), 10e-6, height);
     }
 
     @ParameterizedTest

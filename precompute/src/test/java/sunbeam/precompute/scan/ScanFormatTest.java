@@ -12,20 +12,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Collection;
-import java.util.Optional;
-import java.util.Random;
-import java.util.function.Supplier;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** All formats give the same surface, and damaged files a complaint only. */
+/** All formats give the same surface, and misleading files a complaint only; FuzzRegressionTest damages all of them. */
 class ScanFormatTest {
     /** Seven digits of 500 nm, as 32-bit floats have. */
     private static final double ROUNDING = 5e-14;
@@ -33,19 +28,35 @@ class ScanFormatTest {
     @TempDir
     Path folder;
 
-    static Collection<String> formats() {
-        return TestScans.FORMATS;
-    }
-
-    private Path file(byte[] content) throws IOException {
-        // No extension: formats are found by content.
-        return Files.write(folder.resolve("scan"), content);
-    }
-
     @ParameterizedTest
-    @MethodSource("formats")
+    @ValueSource(
+            strings = {
+                "gwy",
+                "gsf",
+                "gwyddion-text",
+                "gwyddion-text-german",
+                "spip-text",
+                "points",
+                "nanoscope",
+                "nanoscope-32",
+                // Samples have 32 bits, while the header gives the number of steps of 16 bits.
+                "nanoscope-32-of-16",
+                "ibw",
+                "nid",
+                "stp",
+                "top",
+                "jpk",
+                "jpk-qi-image",
+                "park",
+                "sdf-text",
+                "sdf-binary",
+                "x3p",
+                "sur",
+                "mi"
+            })
     void readsTheHeightsTheirSizeAndWhichWayIsUp(String format) throws IOException {
-        try (ScanBytes bytes = ScanBytes.open(file(TestScans.file(format)))) {
+        // No extension: formats are found by content.
+        try (ScanBytes bytes = ScanBytes.open(Files.write(folder.resolve("scan"), TestScans.file(format)))) {
             ChannelList channels = TestScans.channels(bytes);
             ScanChannel channel = channels.channels().get(channels.heights().orElseThrow());
 
@@ -58,50 +69,6 @@ class ScanFormatTest {
                             .map(s -> s * meters)
                             .toArray())
                     .containsExactly(TestScans.meters(), within(ROUNDING));
-        }
-    }
-
-    @ParameterizedTest
-    @MethodSource("formats")
-    void refusesATruncatedFile(String format) throws IOException {
-        byte[] whole = TestScans.file(format);
-        for (int length = 0; length < whole.length - 1; length += 1 + whole.length / 60) {
-            int cut = length;
-            assertReadOrRefused(Arrays.copyOf(whole, length), () -> format + " cut to " + cut);
-        }
-    }
-
-    @ParameterizedTest
-    @MethodSource("formats")
-    void damagedFilesAreRefusedWithoutACrash(String format) throws IOException {
-        byte[] whole = TestScans.file(format);
-        Random random = new Random(12);
-        for (int trial = 0; trial < 150; trial++) {
-            byte[] damaged = whole.clone();
-            int number = trial;
-            for (int hit = 0; hit <= trial % 4; hit++) {
-                // Every other trial damages the header.
-                int reach = trial % 2 == 0 ? Math.min(600, whole.length) : whole.length;
-                damaged[random.nextInt(reach)] = (byte) (trial % 3 == 0 ? 0xff : random.nextInt(256));
-            }
-            assertReadOrRefused(damaged, () -> format + ", trial " + number);
-        }
-    }
-
-    /** Reads every channel; complaints are allowed. */
-    private void assertReadOrRefused(byte[] content, Supplier<String> what) throws IOException {
-        try (ScanBytes bytes = ScanBytes.open(file(content))) {
-            ScanFormat reader = ScanFormat.find(bytes, Optional.empty()).orElse(null);
-            if (reader == null) {
-                return;
-            }
-            for (ScanChannel channel : reader.open(bytes).channels()) {
-                channel.samples().read();
-            }
-        } catch (ScanException complaint) {
-            assertThat(complaint.getMessage()).as(what).doesNotContain("\n").hasSizeBetween(10, 400);
-        } catch (RuntimeException | OutOfMemoryError crash) {
-            throw new AssertionError(what.get() + " crashes", crash);
         }
     }
 
@@ -129,30 +96,27 @@ class ScanFormatTest {
         return bytes.toByteArray();
     }
 
-    private static byte[] ascii(String text) {
-        return text.getBytes(StandardCharsets.US_ASCII);
+    private static byte[] latin1(String text) {
+        return text.getBytes(StandardCharsets.ISO_8859_1);
     }
 
     @Test
     void aHeaderCannotAskForMoreThanTheFileHas() throws IOException {
-        String huge = new String(TestScans.file("gsf"), StandardCharsets.ISO_8859_1);
-        assertRefused(
-                huge.replace("XRes = 7", "XRes = 9").getBytes(StandardCharsets.ISO_8859_1),
-                "ends after",
-                "copy or export");
-        assertRefused(huge.replace("XRes = 7", "XRes = 99999999999").getBytes(StandardCharsets.ISO_8859_1), "XRes");
+        String field = new String(TestScans.file("gsf"), StandardCharsets.ISO_8859_1);
+        assertRefused(latin1(field.replace("XRes = 7", "XRes = 9")), "ends after", "copy or export");
+        assertRefused(latin1(field.replace("XRes = 7", "XRes = 99999999999")), "XRes");
     }
 
     @Test
     void aTextOfTooManyNumbersIsRefusedByItsCount() throws IOException {
         // 20000 numbers in each of two rows.
-        assertRefused(ascii("1 ".repeat(20_000) + "\n" + "2 ".repeat(20_000) + "\n"), "20000 x 2 samples", "crop");
+        assertRefused(latin1("1 ".repeat(20_000) + "\n" + "2 ".repeat(20_000) + "\n"), "20000 x 2 samples", "crop");
     }
 
     @Test
     void aTextWithRaggedRowsIsRefusedByTheLine() throws IOException {
-        assertRefused(ascii("1 2 3\n4 5 6\n7 8\n"), "2 numbers in line 3, but 3 in its first row");
-        assertRefused(ascii("1 2 3\n4 x 6\n"), "\"x\" in line 2");
+        assertRefused(latin1("1 2 3\n4 5 6\n7 8\n"), "2 numbers in line 3, but 3 in its first row");
+        assertRefused(latin1("1 2 3\n4 x 6\n"), "\"x\" in line 2");
     }
 
     @Test
@@ -199,19 +163,18 @@ class ScanFormatTest {
         for (int i = 0; i < 40; i++) {
             points.append("%d %d %d\n".formatted(i * i % 37, i * 17 % 41, i));
         }
-        assertRefused(ascii(points.toString()), "no points of a grid");
-        assertRefused(ascii("0 0 1\n1 0 1\n0 1 1\n1 1 1\n1 1 2\n"), "two points");
+        assertRefused(latin1(points.toString()), "no points of a grid");
+        assertRefused(latin1("0 0 1\n1 0 1\n0 1 1\n1 1 1\n1 1 2\n"), "two points");
     }
 
     /** The bits of 1, -2, 2^-24 (the smallest), 65504 (the largest), infinity and NaN. */
     private static final short[] HALVES = {0x3c00, (short) 0xc000, 0x0001, 0x7bff, 0x7c00, 0x7e00};
 
     private Path numpyFile(String type, String shape) throws IOException {
-        byte[] header = ("{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }\n")
-                .getBytes(StandardCharsets.US_ASCII);
+        byte[] header = latin1("{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }\n");
         ByteBuffer numpyFile = ByteBuffer.allocate(10 + header.length + 2 * HALVES.length)
                 .order(ByteOrder.LITTLE_ENDIAN)
-                .put("\u0093NUMPY\u0001\u0000".getBytes(StandardCharsets.ISO_8859_1))
+                .put(latin1("\u0093NUMPY\u0001\u0000"))
                 .putShort((short) header.length)
                 .put(header)
                 .order(type.startsWith(">") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);

@@ -9,12 +9,12 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -54,29 +54,22 @@ class SharedScansTest {
 
     /** By name, in the file's order; programs invent names where a file has none. */
     private static List<ScanChannel> called(ChannelList channels, String name) {
-        List<ScanChannel> called = new ArrayList<>();
-        for (int i = 0; i < channels.count(); i++) {
-            if (channels.count() == 1
-                    || channels.labels().get(i).equals(name)
-                    || channels.channels().get(i).name().equals(name)) {
-                called.add(channels.channels().get(i));
-            }
-        }
-        return called;
+        return IntStream.range(0, channels.count())
+                .filter(i -> channels.count() == 1
+                        || channels.labels().get(i).equals(name)
+                        || channels.channels().get(i).name().equals(name))
+                .mapToObj(channels.channels()::get)
+                .toList();
     }
 
     private static void assertSameChannel(ScanChannel channel, JsonNode expected, boolean upwards) throws IOException {
         assertThat(channel.columns()).isEqualTo(expected.get("columns").asInt());
         assertThat(channel.rows()).isEqualTo(expected.get("rows").asInt());
         double side = expected.get("unit_xy").asText().equals("mm") ? 1e-3 : 1;
-        channel.extent()
-                .width()
-                .ifPresent(width ->
-                        assertThat(width).isCloseTo(side * expected.get("width").asDouble(), within(1e-6 * width)));
-        channel.extent()
-                .height()
-                .ifPresent(height -> assertThat(height)
-                        .isCloseTo(side * expected.get("height").asDouble(), within(1e-6 * height)));
+        Map.of("width", channel.extent().width(), "height", channel.extent().height())
+                .forEach((name, length) -> length.ifPresent(meters -> assertThat(meters)
+                        .as(name)
+                        .isCloseTo(side * expected.get(name).asDouble(), within(1e-6 * meters))));
         double unit = expected.get("unit_z").asText().equals("mm") ? 1e-3 : 1;
         double meters = channel.metersPerUnit().orElse(1.0);
         double[] samples =
@@ -84,10 +77,10 @@ class SharedScansTest {
         DoubleSummaryStatistics statistics =
                 Arrays.stream(samples).filter(Double::isFinite).summaryStatistics();
         double tolerance = 1e-6 * (statistics.getMax() - statistics.getMin());
-        assertThat(statistics.getMin()).isCloseTo(unit * expected.get("min").asDouble(), within(tolerance));
-        assertThat(statistics.getMax()).isCloseTo(unit * expected.get("max").asDouble(), within(tolerance));
-        assertThat(statistics.getAverage())
-                .isCloseTo(unit * expected.get("mean").asDouble(), within(tolerance));
+        Map.of("min", statistics.getMin(), "max", statistics.getMax(), "mean", statistics.getAverage())
+                .forEach((name, value) -> assertThat(value)
+                        .as(name)
+                        .isCloseTo(unit * expected.get(name).asDouble(), within(tolerance)));
         for (JsonNode point : expected.get("points")) {
             int line = point.get(0).asInt();
             int row = upwards ? channel.rows() - 1 - line : line;

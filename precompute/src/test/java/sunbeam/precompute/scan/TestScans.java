@@ -2,7 +2,6 @@ package sunbeam.precompute.scan;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.List;
 import java.util.Optional;
 
 /** One surface, asymmetric, not square, in whole nanometers, as a file in every readable format, written as documented. */
@@ -11,12 +10,6 @@ final class TestScans {
     static final int ROWS = 5;
     static final double WIDTH = 3.5e-6;
     static final double HEIGHT = 2e-6;
-    /** Names of the files in the resources' folder {@code field}. */
-    static final List<String> FORMATS = List.of(("gwy gsf gwyddion-text gwyddion-text-german spip-text points"
-                    // In the last, samples have 32 bits, while the header gives the number of steps of 16 bits.
-                    + " nanoscope nanoscope-32 nanoscope-32-of-16"
-                    + " ibw nid stp top jpk jpk-qi-image park sdf-text sdf-binary x3p sur mi")
-            .split(" "));
 
     private TestScans() {}
 

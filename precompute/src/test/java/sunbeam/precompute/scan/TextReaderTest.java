@@ -131,19 +131,19 @@ class TextReaderTest {
 
     @Test
     void numbersOfRowsAndPlacesAreNoHeights() {
-        assertThatThrownBy(() -> read(matrix(SIDE, SIDE, (row, column) -> column == 0 ? row : height(row, column))))
-                .isInstanceOf(ScanException.class)
-                .hasMessageContaining("first column that counts");
+        assertCounting("column", (row, column) -> column == 0 ? row : height(row, column));
+        assertCounting("row", (row, column) -> row == 0 ? column : height(row, column));
         // Rounded, descending, with a word in the corner.
-        assertThatThrownBy(() -> read(matrix(
-                        SIDE,
-                        SIDE,
-                        (row, column) -> column == 0 && row > 0
-                                ? (int) (7.8 * (SIDE - row))
-                                : row == 0 ? 9 * column : height(row, column))))
-                .hasMessageContaining("first column that counts");
-        assertThatThrownBy(() -> read(matrix(SIDE, SIDE, (row, column) -> row == 0 ? column : height(row, column))))
-                .hasMessageContaining("first row that counts");
+        IntBinaryOperator descending = (row, column) -> row == 0 ? 9 * column : (int) (7.8 * (SIDE - row));
+        assertCounting(
+                "column",
+                (row, column) -> row * column == 0 ? descending.applyAsInt(row, column) : height(row, column));
+    }
+
+    private void assertCounting(String line, IntBinaryOperator numbers) {
+        assertThatThrownBy(() -> read(matrix(SIDE, SIDE, numbers)))
+                .isInstanceOf(ScanException.class)
+                .hasMessageContaining("first " + line + " that counts");
     }
 
     @Test
@@ -238,13 +238,10 @@ class TextReaderTest {
     void cellsWithoutPointsAreMissingSamples() {
         List<Integer> cells = shuffled();
         cells.removeIf(cell -> cell % 5 == 0);
-        TextReader.PointGrid grid = grid(cells, 1e-3);
-        assertThat(grid.axisX().count()).isEqualTo(COLUMNS);
-        assertThat(grid.axisY().count()).isEqualTo(ROWS);
-        for (int cell = 0; cell < COLUMNS * ROWS; cell++) {
-            double expected = cells.contains(cell) ? cell : Double.NaN;
-            assertThat(grid.heights()[cell]).isEqualTo(Double.valueOf(expected));
-        }
+        assertThat(grid(cells, 1e-3).heights())
+                .containsExactly(IntStream.range(0, COLUMNS * ROWS)
+                        .mapToDouble(cell -> cell % 5 == 0 ? Double.NaN : cell)
+                        .toArray());
     }
 
     @Test
