@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import sunbeam.app.failure.Failure;
 
 /**
@@ -25,8 +24,6 @@ public final class FuzzTarget {
 
     private final FuzzedReader reader;
     private final Path file;
-    private long tried;
-    private long read;
 
     /** Returns a start of Java with the budget's memory and the tests' classes. */
     static ProcessBuilder java(String... arguments) {
@@ -51,10 +48,6 @@ public final class FuzzTarget {
         Chosen.TARGET.assertReadOrRefusedInTime(input);
     }
 
-    public static void fuzzerTearDown() {
-        Chosen.TARGET.report();
-    }
-
     private static final class Chosen {
         private static final FuzzTarget TARGET = target();
 
@@ -75,11 +68,9 @@ public final class FuzzTarget {
      */
     void assertReadOrRefusedInTime(byte[] input) throws IOException {
         Files.write(file, input);
-        tried++;
         long start = THREADS.getCurrentThreadCpuTime();
         try {
             reader.read(file);
-            read++;
         } catch (RuntimeException | IOException refused) {
             Failure failure = Failure.of(refused);
             if (failure.isBug() || failure.message().contains("\n")) {
@@ -90,15 +81,5 @@ public final class FuzzTarget {
         if (taken.compareTo(MOST_TIME) > 0) {
             throw new AssertionError(reader.label() + " took " + taken + " of a processor");
         }
-    }
-
-    private void report() {
-        System.err.printf(
-                Locale.ROOT,
-                "%s: %d inputs, of which %d (%.0f %%) were read%n",
-                reader.label(),
-                tried,
-                read,
-                100.0 * read / Math.max(1, tried));
     }
 }

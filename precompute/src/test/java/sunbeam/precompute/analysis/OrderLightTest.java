@@ -97,10 +97,8 @@ class OrderLightTest {
                 .isCloseTo(light.efficiencies().size(), within(10.0));
         assertThat(light.efficiencies()).containsKeys(new Order(1, 2), new Order(-1, -1));
         light.efficiencies().forEach((order, efficiency) -> {
-            double k = 2
-                    * Math.PI
-                    / wavelength
-                    * pair(wi, wavelength, order.m(), order.n()).w();
+            double w = pair(wi, wavelength, order.m(), order.n()).w();
+            double k = 2 * Math.PI / wavelength * w;
             double expected = factor(wi, wavelength, order.m(), order.n())
                     * bessel(order.m(), k * high)
                     * bessel(order.n(), k * low);
@@ -187,23 +185,14 @@ class OrderLightTest {
         Order order = new Order(1, 0);
         double truth = efficiency(surface, lattice, wi, order).value();
         int held = 0;
-        int pieces = 0;
-        double widest = 0;
-        for (int top = 0; top < samples; top += 256) {
-            for (int left = 0; left < samples; left += 256) {
-                int x = left;
-                int y = top;
-                HeightMap piece = Surfaces.sampled(256, 256, pitch, (column, row) -> surface.at(x + column, y + row));
-                Efficiency efficiency = efficiency(piece, lattice, wi, order);
-                held += efficiency.low() <= truth && truth <= efficiency.high() ? 1 : 0;
-                widest = Math.max(widest, efficiency.high() / efficiency.low() - 1);
-                pieces++;
-            }
+        for (int i = 0; i < 16; i++) {
+            HeightMap piece = surface.part(256 * (i % 4), 256 * (i / 4), 256, 256);
+            Efficiency efficiency = efficiency(piece, lattice, wi, order);
+            held += efficiency.low() <= truth && truth <= efficiency.high() ? 1 : 0;
+            assertThat(efficiency.high() / efficiency.low()).isLessThan(2);
         }
         // 95 % of 16 are 15.2; neighboring parts share a correlation length, and 12 or fewer have a probability of 1 %.
         assertThat(held).isGreaterThanOrEqualTo(13);
-        assertThat(pieces).isEqualTo(16);
-        assertThat(widest).isLessThan(1);
     }
 
     @Test

@@ -12,7 +12,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.prepare.ScanFaults;
 
 /** The period of pieces of surfaces: right where there is an estimate, and without one elsewhere. */
 class PeriodModelTest {
@@ -86,29 +85,5 @@ class PeriodModelTest {
         return PeriodModel.of(map, wave -> true, GratingPeriod.GLOSS)
                 .orElseThrow()
                 .reason();
-    }
-
-    @ParameterizedTest
-    @EnumSource
-    void noFaultIsSeen(SimulatedGrating kind) {
-        // Seed 5015 of rows is a saw with slips sideways, at which most columns jump alike.
-        for (long seed : new long[] {5000, 5001, 5015}) {
-            FaultyScan grating = kind.draw(seed);
-            for (int levels : new int[] {0, 16, 256}) {
-                assertThat(ScanFaults.in(rounded(grating.map(), levels), Optional.empty()))
-                        .as(grating.words() + ", levels " + levels)
-                        .isEmpty();
-            }
-        }
-    }
-
-    /** @param levels 0 for heights as they are */
-    private static HeightMap rounded(HeightMap map, int levels) {
-        double[] heights = map.heights().clone();
-        double step = map.relief() / (levels - 1);
-        for (int i = 0; i < heights.length && levels > 0; i++) {
-            heights[i] = map.minimum() + step * Math.rint((heights[i] - map.minimum()) / step);
-        }
-        return map.with(heights);
     }
 }

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -124,15 +125,11 @@ class VerdictTest {
                 .contains("first-order colors " + angles + " under light at");
     }
 
-    @Test
-    void directionsHaveTenthsOfADegree() {
-        assertThat(GratingPeriod.of(piece((x, y) -> sine(y, 1.2e-6))).describe())
-                .contains(", in direction 90.0 +- 0.1 degrees; seen 12.5 times");
-    }
-
-    /** As in JSON: above -90 and at most 90 degrees. */
+    /** As in JSON: above -90 and at most 90 degrees, with tenths. */
     @Test
     void oneRangeHoldsForAllDirections() {
+        assertThat(GratingPeriod.of(piece((x, y) -> sine(y, 1.2e-6))).describe())
+                .contains(", in direction 90.0 +- 0.1 degrees; seen 12.5 times");
         double slope = Math.tan(Math.toRadians(-1.2));
         GratingPeriod period = GratingPeriod.of(piece((x, y) -> sine(x + slope * y, 1.2e-6)));
         assertThat(period.describe()).contains(", in direction -1.2 +- 0.1 degrees");
@@ -147,12 +144,10 @@ class VerdictTest {
     void whatIsNotSoughtIsNoWhiteGloss() {
         Patch patch = piece((x, y) -> sine(x, 1.2e-6));
         OptionalDouble oblique = OptionalDouble.of(Math.toRadians(45));
-        assertThat(GratingPeriod.among(patch, oblique, 0, Double.POSITIVE_INFINITY)
-                        .reason())
-                .startsWith("no order found along azimuth 45 degrees; ");
-        assertThat(GratingPeriod.among(patch, OptionalDouble.empty(), 2e-6, 3e-6)
-                        .reason())
-                .startsWith("no order found with a period of 2 um to 3 um; ");
+        GratingPeriod across = GratingPeriod.among(patch, oblique, 0, Double.POSITIVE_INFINITY);
+        assertThat(across.reason()).startsWith("no order found along azimuth 45 degrees; ");
+        GratingPeriod longer = GratingPeriod.among(patch, OptionalDouble.empty(), 2e-6, 3e-6);
+        assertThat(longer.reason()).startsWith("no order found with a period of 2 um to 3 um; ");
     }
 
     @Test
@@ -232,24 +227,26 @@ class VerdictTest {
                 .doesNotContain("crossed");
     }
 
+    /** Returns a sum of cosines of random phases, of drawn angular frequencies along x and y. */
+    private static DoubleBinaryOperator waves(int count, SplittableRandom random, Supplier<double[]> frequencies) {
+        double[][] waves = Stream.generate(frequencies).limit(count).toArray(double[][]::new);
+        double[] phases = random.doubles(count, 0, 2 * Math.PI).toArray();
+        return (x, y) -> IntStream.range(0, count)
+                .mapToDouble(i -> Math.cos(waves[i][0] * x + waves[i][1] * y + phases[i]))
+                .sum();
+    }
+
     /** Roughness of 15 nm whose spectrum is a Gaussian, with a correlation length of 0.5 um, and as much of a sine. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})
     void aSineInRoughnessIsAGrating(int seed) {
         SplittableRandom random = new SplittableRandom(seed);
         double turns = 1 / 0.5e-6;
-        double[][] waves = IntStream.range(0, 300)
-                .mapToObj(i -> new double[] {
-                    turns * random.nextGaussian(), turns * random.nextGaussian(), 2 * Math.PI * random.nextDouble()
-                })
-                .toArray(double[][]::new);
+        DoubleBinaryOperator rough =
+                waves(300, random, () -> new double[] {turns * random.nextGaussian(), turns * random.nextGaussian()});
         double period = 1.8e-6 + 0.1e-6 * seed;
-        DoubleBinaryOperator heights = (x, y) -> 0.4 * wave(x, y, period, 21 * seed)
-                + 15e-9
-                        * Math.sqrt(2.0 / waves.length)
-                        * Arrays.stream(waves)
-                                .mapToDouble(wave -> Math.cos(wave[0] * x + wave[1] * y + wave[2]))
-                                .sum();
+        DoubleBinaryOperator heights = (x, y) ->
+                0.4 * wave(x, y, period, 21 * seed) + 15e-9 * Math.sqrt(2.0 / 300) * rough.applyAsDouble(x, y);
         GratingPeriod found = GratingPeriod.of(piece(Surfaces.of(100, 100, 150e-9, heights)));
         assertThat(found.isSeen()).as(found.describe()).isTrue();
         // Half of a line over 6 periods.
@@ -261,15 +258,10 @@ class VerdictTest {
     void oneCellOfAHexagonalArrayIsALattice() {
         double height = 0.6e-6 * Math.sqrt(3);
         HeightMap cell = Surfaces.of(60, 104, 10e-9, (x, y) -> {
-            double[] scaled = {x / 0.6e-6, y / height};
-            double squares = IntStream.of(0, 1)
-                    .mapToDouble(half -> Math.hypot(
-                            0.6e-6 * Math.IEEEremainder(scaled[0] - 0.5 * half, 1),
-                            height * Math.IEEEremainder(scaled[1] - 0.5 * half, 1)))
-                    .map(distance -> distance * distance)
-                    .min()
-                    .orElseThrow();
-            return Math.sqrt(Math.max(0, 0.09e-12 - squares));
+            double corner = Math.hypot(Math.IEEEremainder(x, 0.6e-6), Math.IEEEremainder(y, height));
+            double middle =
+                    Math.hypot(Math.IEEEremainder(x - 0.3e-6, 0.6e-6), Math.IEEEremainder(y - 0.5 * height, height));
+            return Math.sqrt(Math.max(0, 0.09e-12 - Math.pow(Math.min(corner, middle), 2)));
         });
         assertThat(verdict(repeated(cell)))
                 .matches(
@@ -333,20 +325,12 @@ class VerdictTest {
     @ValueSource(ints = {1, 2, 3, 4, 5, 6})
     void aSurfaceThatIsAlikeInAllDirectionsIsNoGrating(int seed) {
         SplittableRandom random = new SplittableRandom(seed);
-        double[][] waves = new double[100][];
-        for (int i = 0; i < waves.length; i++) {
+        DoubleBinaryOperator ring = waves(100, random, () -> {
             double angle = Math.PI * random.nextDouble();
             double turns = 2 * Math.PI * (1 + 0.04 * random.nextGaussian()) / 1.1e-6;
-            waves[i] =
-                    new double[] {turns * Math.cos(angle), turns * Math.sin(angle), 2 * Math.PI * random.nextDouble()};
-        }
-        HeightMap ring = Surfaces.of(
-                200,
-                200,
-                100e-9,
-                (x, y) -> Arrays.stream(waves)
-                        .mapToDouble(wave -> 5e-9 * Math.cos(wave[0] * x + wave[1] * y + wave[2]))
-                        .sum());
-        assertThat(verdict(piece(ring))).startsWith("No grating found: waves of about 1.1 um");
+            return new double[] {turns * Math.cos(angle), turns * Math.sin(angle)};
+        });
+        HeightMap map = Surfaces.of(200, 200, 100e-9, (x, y) -> 5e-9 * ring.applyAsDouble(x, y));
+        assertThat(verdict(piece(map))).startsWith("No grating found: waves of about 1.1 um");
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import com.twelvemonkeys.imageio.metadata.tiff.TIFF;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -13,6 +14,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -53,10 +55,7 @@ class ImageHeightsTest {
         TestImages.Samples grays = (c, r, b) -> r * side + c;
         BufferedImage image = bits == 8 ? TestImages.gray8(side, side, grays) : TestImages.gray16(side, side, grays);
         double[] samples = read(image, "grey." + format, (1 << bits) - 1);
-
-        for (int i = 0; i < side * side; i++) {
-            assertThat(samples[i]).isCloseTo(i, within(ROUNDING));
-        }
+        assertSamples(samples, IntStream.range(0, 1 << bits).asDoubleStream().toArray());
     }
 
     @Test
@@ -99,10 +98,7 @@ class ImageHeightsTest {
             grays[i] = (byte) (255 - i);
         }
         double[] samples = read(TestImages.palette(16, 16, grays, (c, r, b) -> r * 16 + c), "palette." + format, 255);
-
-        for (int i = 0; i < 256; i++) {
-            assertThat(samples[i]).isCloseTo(255 - i, within(ROUNDING));
-        }
+        assertSamples(samples, IntStream.range(0, 256).mapToDouble(i -> 255 - i).toArray());
     }
 
     @Test
@@ -149,8 +145,8 @@ class ImageHeightsTest {
         Path huge = new TinyTiff(40_000, 40_000, 8, new byte[4]).write(folder.resolve("huge.tif"));
         assertRefused(huge, "40000 x 40000", "16384");
         TinyTiff tiles = new TinyTiff(4, 4, 8, new byte[16])
-                .with(TinyTiff.TILE_WIDTH, 60_000)
-                .with(TinyTiff.TILE_LENGTH, 60_000);
+                .with(TIFF.TAG_TILE_WIDTH, 60_000)
+                .with(TIFF.TAG_TILE_HEIGTH, 60_000);
         assertRefused(tiles.write(folder.resolve("tiles.tif")), "tiles of 3600000000 samples");
     }
 
@@ -163,18 +159,18 @@ class ImageHeightsTest {
 
     @ParameterizedTest
     @CsvSource({
-        TinyTiff.ORIENTATION + ", 3, orientation tag 3",
-        TinyTiff.PHOTOMETRIC + ", 5, photometric interpretation 5",
-        TinyTiff.COMPRESSION + ", 7, JPEG compression",
-        TinyTiff.COMPRESSION + ", 50000, compression 50000",
-        TinyTiff.BITS + ", 12, 12-bit samples of format 1",
-        TinyTiff.STRIP_BYTES + ", 15, has 15 of 16 bytes of samples",
-        TinyTiff.STRIP_OFFSETS + ", 1000, damaged",
-        TinyTiff.STRIP_BYTES + ", 2000000000, announces 2000000000 bytes of samples but ends after",
-        TinyTiff.CHANNELS + ", 60000, 60000 channels",
-        TinyTiff.CHANNELS + ", 5, 5 channels",
-        TinyTiff.SAMPLE_FORMAT + ", 4, 8-bit samples of format 4",
-        TinyTiff.SAMPLE_FORMAT + ", 3, 8-bit samples of format 3"
+        TIFF.TAG_ORIENTATION + ", 3, orientation tag 3",
+        TIFF.TAG_PHOTOMETRIC_INTERPRETATION + ", 5, photometric interpretation 5",
+        TIFF.TAG_COMPRESSION + ", 7, JPEG compression",
+        TIFF.TAG_COMPRESSION + ", 50000, compression 50000",
+        TIFF.TAG_BITS_PER_SAMPLE + ", 12, 12-bit samples of format 1",
+        TIFF.TAG_STRIP_BYTE_COUNTS + ", 15, has 15 of 16 bytes of samples",
+        TIFF.TAG_STRIP_OFFSETS + ", 1000, damaged",
+        TIFF.TAG_STRIP_BYTE_COUNTS + ", 2000000000, announces 2000000000 bytes of samples but ends after",
+        TIFF.TAG_SAMPLES_PER_PIXEL + ", 60000, 60000 channels",
+        TIFF.TAG_SAMPLES_PER_PIXEL + ", 5, 5 channels",
+        TIFF.TAG_SAMPLE_FORMAT + ", 4, 8-bit samples of format 4",
+        TIFF.TAG_SAMPLE_FORMAT + ", 3, 8-bit samples of format 3"
     })
     void refusesATiffWithMisleadingTags(int tag, int value, String complaint) throws IOException {
         Path file = new TinyTiff(4, 4, 8, new byte[16]).with(tag, value).write(folder.resolve("odd.tif"));
@@ -191,20 +187,6 @@ class ImageHeightsTest {
 
     /** A TIFF composed of tags: unusual, damaged and hostile files that the JDK does not write. */
     private static final class TinyTiff {
-        static final int WIDTH = 256;
-        static final int LENGTH = 257;
-        static final int BITS = 258;
-        static final int COMPRESSION = 259;
-        static final int PHOTOMETRIC = 262;
-        static final int STRIP_OFFSETS = 273;
-        static final int ORIENTATION = 274;
-        static final int CHANNELS = 277;
-        static final int ROWS_PER_STRIP = 278;
-        static final int STRIP_BYTES = 279;
-        static final int TILE_WIDTH = 322;
-        static final int TILE_LENGTH = 323;
-        static final int SAMPLE_FORMAT = 339;
-
         private static final int TYPE_SHORT = 3;
         private static final int TYPE_LONG = 4;
         private static final int HEADER_BYTES = 8;
@@ -215,9 +197,14 @@ class ImageHeightsTest {
         /** A gray, uncompressed image in one strip, little-endian. */
         TinyTiff(int columns, int rows, int bits, byte[] data) {
             this.data = data;
-            tags.putAll(Map.of(WIDTH, columns, LENGTH, rows, BITS, bits, COMPRESSION, 1, PHOTOMETRIC, 1));
-            tags.putAll(
-                    Map.of(STRIP_OFFSETS, HEADER_BYTES, CHANNELS, 1, ROWS_PER_STRIP, rows, STRIP_BYTES, data.length));
+            with(TIFF.TAG_IMAGE_WIDTH, columns)
+                    .with(TIFF.TAG_IMAGE_HEIGHT, rows)
+                    .with(TIFF.TAG_BITS_PER_SAMPLE, bits);
+            with(TIFF.TAG_COMPRESSION, 1)
+                    .with(TIFF.TAG_PHOTOMETRIC_INTERPRETATION, 1)
+                    .with(TIFF.TAG_SAMPLES_PER_PIXEL, 1);
+            with(TIFF.TAG_STRIP_OFFSETS, HEADER_BYTES).with(TIFF.TAG_STRIP_BYTE_COUNTS, data.length);
+            with(TIFF.TAG_ROWS_PER_STRIP, rows);
         }
 
         TinyTiff with(int tag, int value) {

@@ -81,21 +81,11 @@ class PatchDescriptorTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "",
-                "heights: scan.png",
-                "[]",
-                "\"scan.png\"",
-                "{",
-                "{\"heights\"",
-                "{\"heights\": \"scan.png\",}",
-                "{\"heights\": \"scan.png\", \"heights\": \"other.png\"}",
-                "{} {}",
-                "{} x",
-                "// comment\n{}",
-                "{\"width\": 1e}",
-                "{\"width\": tru}",
-                "{\"width\": \"\\q\"}",
-                "{width: 1}"
+                "", "heights: scan.png", "[]",
+                "\"scan.png\"", "{", "{\"heights\"",
+                "{} {}", "{} x", "// comment\n{}",
+                "{\"width\": 1e}", "{\"width\": tru}", "{\"width\": \"\\q\"}",
+                "{width: 1}", "{\"heights\": \"scan.png\",}", "{\"heights\": \"a.png\", \"heights\": \"b.png\"}"
             })
     void refusesTextsThatAreNoSingleJsonObject(String json) throws IOException {
         assertThatThrownBy(() -> PatchDescriptor.read(descriptor(json)))
