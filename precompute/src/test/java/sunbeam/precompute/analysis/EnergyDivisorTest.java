@@ -76,14 +76,8 @@ class EnergyDivisorTest {
 
     @ParameterizedTest
     @CsvSource({
-        "0, 0, 720",
-        "0, 0, 737",
-        "0, 0, 745",
-        "0, 0, 550",
-        "12, 0, 590",
-        "20, 30, 560",
-        "60, 0, 550",
-        "70, 90, 500"
+        "0, 0, 720", "0, 0, 737", "0, 0, 745", "0, 0, 550",
+        "12, 0, 590", "20, 30, 560", "60, 0, 550", "70, 90, 500"
     })
     void aDiscSendsOutNoMoreThanAMirrorOfItsMaterial(double theta, double phi, double nanometers) {
         Direction wi = Direction.ofDegrees(theta, phi);
@@ -161,10 +155,6 @@ class EnergyDivisorTest {
         assertThat(divisor.ofColors(wi, laser)).isCloseTo(divisor.at(wi, 700e-9), within(0.01));
     }
 
-    private static EnergyBalance at(HeightMap map, Direction wi, double wavelength) {
-        return new EnergyBalance(new OrderSpectrum(map).sum(RefractiveIndex.KERATIN, wi, wavelength, 0), wavelength);
-    }
-
     /** Two levels of equal width, 120 nm apart: tracks of a DVD. */
     private static HeightMap wideTracks(double period) {
         return Surfaces.sampled(32, 4, period / 32, (column, row) -> column < 16 ? 0 : 120e-9);
@@ -181,7 +171,9 @@ class EnergyDivisorTest {
         double inOne = Math.pow(Math.sin(2 * Math.PI / wavelength * (1 + cosine) * 60e-9), 2)
                 * Math.pow(1.0 / 16 / Math.sin(Math.PI / 32), 2);
 
-        EnergyBalance balance = at(wideTracks(period), ABOVE, wavelength);
+        OrderSpectrum spectrum = new OrderSpectrum(wideTracks(period));
+        EnergyBalance balance =
+                new EnergyBalance(spectrum.sum(RefractiveIndex.KERATIN, ABOVE, wavelength, 0), wavelength);
 
         double reflectance = Gain.reflectance(Math.sqrt(0.5 * (1 + cosine))) / Gain.R0;
         assertThat(balance.ratio())

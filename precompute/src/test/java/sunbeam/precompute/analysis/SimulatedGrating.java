@@ -38,9 +38,7 @@ enum SimulatedGrating {
         double start = random.nextDouble();
         int bands = this == ROWS ? Math.max(1, (int) Math.round(rows * pitch / (3 * period))) : 1;
         double[][] bandLines = new double[bands][];
-        for (int i = 0; i < bands; i++) {
-            bandLines[i] = this == ROWS ? GAPS.lines(random, lines.length, disorder) : lines;
-        }
+        Arrays.setAll(bandLines, i -> this == ROWS ? GAPS.lines(random, lines.length, disorder) : lines);
         double angle = this == ROWS ? 0 : azimuth;
         HeightMap map = Surfaces.sampled(columns, rows, pitch, (column, row) -> {
             double x = (column - 0.5 * columns) * pitch;
@@ -57,7 +55,7 @@ enum SimulatedGrating {
             } else {
                 height = wave(phase(bandLines[Math.min(bands - 1, row * bands / rows)], s / period) + start, shape);
             }
-            return depth * height + tilt * x + noise * gaussian(random);
+            return depth * height + tilt * x + noise * random.nextGaussian();
         });
         double[] truths = this == TWO ? new double[] {period, period * ratio} : new double[] {period};
         return new FaultyScan(map, truths, false, this + " seed " + seed);
@@ -68,7 +66,7 @@ enum SimulatedGrating {
         double walk = 0;
         double velocity = 0;
         for (int i = 0; i < count; i++) {
-            double strayed = this == GAPS || this == STRAYED || this == WARPED ? disorder * gaussian(random) : 0;
+            double strayed = this == GAPS || this == STRAYED || this == WARPED ? disorder * random.nextGaussian() : 0;
             velocity = this == WARPED ? 0.6 * velocity + 0.4 * strayed : strayed;
             walk = this == STRAYED ? strayed : walk + velocity;
             lines[i] = i - 0.5 * count + walk;
@@ -91,9 +89,5 @@ enum SimulatedGrating {
             case 1 -> part - 0.5;
             default -> Math.exp(-Math.pow((part - 0.5) / 0.15, 2));
         };
-    }
-
-    private static double gaussian(SplittableRandom random) {
-        return Math.sqrt(-2 * Math.log(1 - random.nextDouble())) * Math.cos(2 * Math.PI * random.nextDouble());
     }
 }

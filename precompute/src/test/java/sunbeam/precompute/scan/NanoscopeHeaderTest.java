@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -66,9 +67,7 @@ class NanoscopeHeaderTest {
                 .order(ByteOrder.LITTLE_ENDIAN)
                 .put((text.replace("\n", "\r\n") + "\u001a").getBytes(StandardCharsets.ISO_8859_1))
                 .position(HEADER);
-        for (int i = 0; i < COLUMNS * LINES; i++) {
-            file.putShort((short) i);
-        }
+        IntStream.range(0, COLUMNS * LINES).forEach(i -> file.putShort((short) i));
         return ScanBytes.open(Files.write(folder.resolve("scan.spm"), file.array()));
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.IntBinaryOperator;
 import java.util.function.IntToDoubleFunction;
@@ -47,8 +48,10 @@ class BuiltInPatchesTest {
                 .mapToDouble(r -> rmsStep(columns, i -> patch.at(i, (r + 1) % rows) - patch.at(i, r)))
                 .toArray();
         // The sinusoid's steps beside the seam are equal but for rounding.
-        assertThat(across[columns - 1]).isLessThanOrEqualTo(greatestInside(across) * (1 + 1e-9));
-        assertThat(down[rows - 1]).isLessThanOrEqualTo(greatestInside(down) * (1 + 1e-9));
+        for (double[] steps : new double[][] {across, down}) {
+            double inside = Arrays.stream(steps, 0, steps.length - 1).max().orElseThrow();
+            assertThat(steps[steps.length - 1]).isLessThanOrEqualTo(inside * (1 + 1e-9));
+        }
     }
 
     private static double rmsStep(int count, IntToDoubleFunction step) {
@@ -59,13 +62,6 @@ class BuiltInPatchesTest {
                 .orElseThrow());
     }
 
-    private static double greatestInside(double[] steps) {
-        return IntStream.range(0, steps.length - 1)
-                .mapToDouble(i -> steps[i])
-                .max()
-                .orElseThrow();
-    }
-
     /** Rounding of sums over a few thousand heights, in square meters against mean squares of 1e-15. */
     private static final double ROUNDING = 1e-26;
 
@@ -74,11 +70,9 @@ class BuiltInPatchesTest {
         HeightMap blaze = BuiltInPatches.generate("blaze");
         assertThat(blaze.width()).isCloseTo(2.5e-6, within(1e-18));
         double step = 250e-9 / blaze.columns();
-        for (int row = 0; row < blaze.rows(); row++) {
-            for (int column = 1; column < blaze.columns(); column++) {
-                // Equal steps but for rounding.
-                assertThat(blaze.at(column, row) - blaze.at(column - 1, row)).isCloseTo(step, within(1e-20));
-            }
+        for (int i = 0; i < blaze.heights().length; i++) {
+            // Equal steps, from the middle of the first on, but for rounding.
+            assertThat(blaze.heights()[i]).isCloseTo((i % blaze.columns() + 0.5) * step, within(1e-20));
         }
         // Mid-interval samples miss half a step at either end.
         assertThat(blaze.relief()).isCloseTo(250e-9 - step, within(1e-20));
@@ -110,21 +104,15 @@ class BuiltInPatchesTest {
     private static final HeightMap DISC = BuiltInPatches.generate("disc");
 
     @Test
-    void tracksAre1600NanometersApart() {
+    void tracksAre1600NanometersApartAndPits110Deep() {
         assertThat(DISC.width() / TRACKS).isCloseTo(1.6e-6, within(1e-18));
-        double[] orders = new Spectrum(DISC).byP((p, q) -> q == 0);
-        for (int p = 1; p < 2 * TRACKS; p++) {
-            if (p != TRACKS) {
-                // Tracks with different numbers of pits leave a little power at all frequencies.
-                assertThat(orders[p]).isLessThan(orders[TRACKS] / 100);
-            }
-        }
-    }
-
-    @Test
-    void pitsAre110NanometersDeep() {
         assertThat(DISC.maximum()).isZero();
         assertThat(DISC.relief()).isCloseTo(110e-9, within(1e-20));
+        double[] orders = new Spectrum(DISC).byP((p, q) -> q == 0);
+        double track = orders[TRACKS];
+        orders[TRACKS] = 0;
+        // Tracks with different numbers of pits leave a little power at all frequencies.
+        assertThat(Arrays.stream(orders, 1, 2 * TRACKS).max().orElseThrow()).isLessThan(track / 100);
     }
 
     @Test
@@ -173,29 +161,20 @@ class BuiltInPatchesTest {
     /** Gaps between fingers differ by 15 %, so that orders are some bins wide; rows are known to a bin or two. */
     @Test
     void fingersAndRowsAreAsFarApartAsOnTheSnakes() {
-        double[][] elaphePowers = {ELAPHE.byP((p, q) -> Math.abs(q) < 10), ELAPHE.byQ((p, q) -> Math.abs(p) > 26)};
-        assertThat(dominantPeriod(elaphePowers[0], 40, 3)).isCloseTo(1.03e-6, within(0.06e-6));
-        assertThat(dominantPeriod(elaphePowers[1], 14, 1)).isCloseTo(3.1e-6, within(0.3e-6));
-        double[][] xenopeltisPowers = {XENOPELTIS.byP((p, q) -> true), XENOPELTIS.byQ((p, q) -> Math.abs(p) < 30)};
-        assertThat(dominantPeriod(xenopeltisPowers[0], 60, 3)).isCloseTo(0.55e-6, within(0.03e-6));
-        assertThat(dominantPeriod(xenopeltisPowers[1], 25, 1)).isCloseTo(1.55e-6, within(0.08e-6));
+        assertPeriod(ELAPHE.byP((p, q) -> Math.abs(q) < 10), 40, 3, 1.03e-6, 0.06e-6);
+        assertPeriod(ELAPHE.byQ((p, q) -> Math.abs(p) > 26), 14, 1, 3.1e-6, 0.3e-6);
+        assertPeriod(XENOPELTIS.byP((p, q) -> true), 60, 3, 0.55e-6, 0.03e-6);
+        assertPeriod(XENOPELTIS.byQ((p, q) -> Math.abs(p) < 30), 25, 1, 1.55e-6, 0.08e-6);
     }
 
-    /** Period in meters of the strongest frequency from {@code first} on, smoothed over a window of bins. */
-    private static double dominantPeriod(double[] powers, int first, int reach) {
-        int best = first;
-        double most = 0;
-        for (int bin = first; bin + reach < powers.length; bin++) {
-            double power = 0;
-            for (int i = bin - reach; i <= bin + reach; i++) {
-                power += powers[i];
-            }
-            if (power > most) {
-                most = power;
-                best = bin;
-            }
-        }
-        return 65e-6 / best;
+    /** Of the strongest frequency from {@code first} on, smoothed over a window of bins; meters. */
+    private static void assertPeriod(double[] powers, int first, int reach, double expected, double tolerance) {
+        int best = IntStream.range(first, powers.length - reach)
+                .boxed()
+                .max(Comparator.comparingDouble(bin ->
+                        Arrays.stream(powers, bin - reach, bin + reach + 1).sum()))
+                .orElseThrow();
+        assertThat(65e-6 / best).isCloseTo(expected, within(tolerance));
     }
 
     @Test
@@ -224,11 +203,9 @@ class BuiltInPatchesTest {
     }
 
     /** Power spectrum of a patch's heights without their mean, up to the finest that diffract light. */
-    private static final class Spectrum {
-        private final HeightSpectrum spectrum;
-
+    private record Spectrum(HeightSpectrum spectrum) {
         Spectrum(HeightMap patch) {
-            spectrum = HeightSpectrum.of(patch, HeightSpectrum.Edges.PERIODIC);
+            this(HeightSpectrum.of(patch, HeightSpectrum.Edges.PERIODIC));
         }
 
         /** Selects bins by their signed numbers of periods across the patch, q upwards. */
