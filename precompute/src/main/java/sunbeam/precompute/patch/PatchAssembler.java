@@ -9,6 +9,7 @@ import static sunbeam.precompute.patch.PatchSettings.PERIODIC;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
@@ -184,13 +185,12 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     }
 
     private static boolean isSame(HeightMap field, int columnFactor, int rowFactor) {
-        double largest = 0;
-        for (int row = 0; row < field.rows(); row++) {
-            for (int column = 0; column < field.columns(); column++) {
-                double step = field.at(column, row) - field.at(columnFactor * column, rowFactor * row);
-                largest = Math.max(largest, Math.abs(step));
-            }
-        }
-        return field.relief() > 0 && largest <= SAME * field.relief();
+        double most = SAME * field.relief();
+        return field.relief() > 0
+                && IntStream.range(0, field.heights().length).allMatch(i -> {
+                    int column = i % field.columns();
+                    int row = i / field.columns();
+                    return Math.abs(field.at(column, row) - field.at(columnFactor * column, rowFactor * row)) <= most;
+                });
     }
 }

@@ -56,35 +56,30 @@ public final class Plausibility {
     /** Refuses a patch whose longer side, in meters, is absurd, whether the file itself states it or not. */
     static void requireSides(double width, double height, Path file, boolean own) {
         double longSide = Math.max(width, height);
-        if (longSide >= SHORTEST_LONG_SIDE && longSide <= LONGEST_SIDE) {
-            return;
+        if (!(longSide >= SHORTEST_LONG_SIDE && longSide <= LONGEST_SIDE)) {
+            String sides = Lengths.format(width) + " x " + Lengths.format(height) + "; a patch's longer side is "
+                    + Lengths.format(SHORTEST_LONG_SIDE) + " to " + Lengths.format(LONGEST_SIDE);
+            InputException.refuseIf(own, file + " claims to be " + sides + "; its scale is wrong, export it again");
+            throw new SettingException(
+                    PatchSettings.WIDTH, "is absurd: " + file + " would be " + sides + " (is the unit right?)");
         }
-        String sides = Lengths.format(width) + " x " + Lengths.format(height) + "; a patch's longer side is "
-                + Lengths.format(SHORTEST_LONG_SIDE) + " to " + Lengths.format(LONGEST_SIDE);
-        InputException.refuseIf(own, file + " claims to be " + sides + "; its scale is wrong, export it again");
-        throw new SettingException(
-                PatchSettings.WIDTH, "is absurd: " + file + " would be " + sides + " (is the unit right?)");
     }
 
     /** @param from setting that scaled the heights; empty if the file did */
     static void requireRelief(HeightMap map, Optional<Setting<?>> from, Path file) {
         double relief = map.relief();
         double longSide = Math.max(map.width(), map.height());
-        if (relief == 0 && (long) map.columns() * map.rows() > MOST_FLAT_SAMPLES) {
-            throw new InputException(file + ": all of its " + map.columns() + " x " + map.rows()
-                    + " samples are equal: it is empty; export the scan again"
-                    + " (of a flat mirror 2048 x 2048 samples are enough)");
-        }
+        InputException.refuseIf(
+                relief == 0 && map.heights().length > MOST_FLAT_SAMPLES,
+                file + ": all of its " + map.columns() + " x " + map.rows() + " samples are equal: it is empty; export"
+                        + " the scan again (of a flat mirror 2048 x 2048 samples are enough)");
         boolean flat = relief > 0 && relief < SMALLEST_RELIEF;
-        if (!flat && !(relief > LARGEST_RELIEF) && !(relief > STEEPEST_RELIEF * longSide)) {
-            return;
+        if (flat || relief > LARGEST_RELIEF || relief > STEEPEST_RELIEF * longSide) {
+            String absurd = "a relief of " + Lengths.format(relief) + " on a patch of " + Lengths.format(longSide)
+                    + ", which is absurd" + (flat ? ": less than a hundredth of an atom" : "");
+            InputException.refuseIf(from.isEmpty(), file + " has " + absurd + "; its scale is wrong, export it again");
+            throw new SettingException(from.orElseThrow(), "makes " + absurd + "; check both units");
         }
-        String absurd = "a relief of " + Lengths.format(relief) + " on a patch of " + Lengths.format(longSide)
-                + ", which is absurd" + (flat ? ": less than a hundredth of an atom" : "");
-        if (from.isPresent()) {
-            throw new SettingException(from.get(), "makes " + absurd + "; check both units");
-        }
-        throw new InputException(file + " has " + absurd + "; its scale is wrong, export it again");
     }
 
     static List<String> oddities(HeightMap map) {

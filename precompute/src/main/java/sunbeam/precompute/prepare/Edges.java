@@ -22,13 +22,9 @@ public enum Edges {
     }
 
     private static HeightMap transposed(HeightMap field) {
-        int columns = field.columns();
-        int rows = field.rows();
-        double[] heights = new double[columns * rows];
-        for (int i = 0; i < heights.length; i++) {
-            heights[i % columns * rows + i / columns] = field.heights()[i];
-        }
-        return new HeightMap(rows, columns, field.pitchY(), field.pitchX(), heights);
+        double[] heights = new double[field.heights().length];
+        Arrays.setAll(heights, i -> field.at(i / field.rows(), i % field.rows()));
+        return new HeightMap(field.rows(), field.columns(), field.pitchY(), field.pitchX(), heights);
     }
 
     private static HeightMap overlapped(HeightMap field) {

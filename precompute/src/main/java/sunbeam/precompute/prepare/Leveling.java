@@ -47,12 +47,8 @@ public enum Leveling {
 
     /** After {@link #MEDIAN_ROWS} the mean is that of the differences from the medians, else rounding. */
     private static HeightMap centered(HeightMap field) {
-        double[] heights = field.heights().clone();
-        double mean = mean(heights, 0, heights.length);
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] -= mean;
-        }
-        return field.with(heights);
+        double mean = mean(field.heights(), 0, field.heights().length);
+        return field.map(height -> height - mean);
     }
 
     private HeightMap withoutRows(HeightMap field) {

@@ -193,10 +193,9 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
         private static boolean isIsolated(
                 HeightMap field, int index, double median, double difference, double[] around) {
             int count = gather(field, index, around);
-            int companions = 0;
-            for (int i = 0; i < count; i++) {
-                companions += (around[i] - median) / difference > 0.5 ? 1 : 0;
-            }
+            long companions = Arrays.stream(around, 0, count)
+                    .filter(height -> (height - median) / difference > 0.5)
+                    .count();
             return companions < ISOLATED * count;
         }
 

@@ -89,12 +89,10 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
             return false;
         }
         double step = (numbers[last] - numbers[first]) / (count - 1);
-        boolean even = Math.abs(step) > 0;
-        for (int i = 0; i < count && even; i++) {
-            double off = numbers[first + i * stride] - numbers[first] - i * step;
-            even = Math.abs(off) <= ROUNDING * Math.abs(step);
-        }
-        return even;
+        return Math.abs(step) > 0
+                && IntStream.range(0, count)
+                        .mapToDouble(i -> numbers[first + i * stride] - numbers[first] - i * step)
+                        .allMatch(off -> Math.abs(off) <= ROUNDING * Math.abs(step));
     }
 
     private static Optional<ScanChannel> points(TextFile text, TextNumbers numbers) {
@@ -304,9 +302,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
 
         double[] column(int column) {
             double[] some = new double[rows];
-            for (int row = 0; row < rows; row++) {
-                some[row] = values[row * columns + column];
-            }
+            Arrays.setAll(some, row -> values[row * columns + column]);
             return some;
         }
     }
