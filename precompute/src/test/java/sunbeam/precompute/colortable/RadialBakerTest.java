@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -16,7 +17,6 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
@@ -25,6 +25,7 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.DirectionPairs;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
@@ -83,19 +84,22 @@ class RadialBakerTest {
         ExactLight reference = area.over(map, CieTable.load());
         double[] errors = new double[places.length / 3];
         for (int i = 0; i < errors.length; i++) {
-            // Only the sum of both directions counts.
-            DirectionPair pair = new DirectionPair(
-                    new Direction(-places[3 * i], -places[3 * i + 1], -places[3 * i + 2]), new Direction(0, 0, 0));
+            DirectionPair pair = DirectionPairs.of(places[3 * i], places[3 * i + 1], places[3 * i + 2]);
             double[] exact = reference.xyz(pair, ExactLight.Quadrature.INTEGRATED);
-            double largest = Math.max(exact[0], Math.max(exact[1], exact[2]));
-            double difference = 0;
-            for (int c = 0; c < 3; c++) {
-                difference = Math.max(difference, Math.abs(xyz[3 * i + c] - exact[c]));
-            }
-            errors[i] = largest > 1e-9 ? difference / largest : 0;
+            errors[i] = error(Arrays.copyOfRange(xyz, 3 * i, 3 * i + 3), exact);
         }
         Arrays.sort(errors);
         return errors;
+    }
+
+    /** Relative to the largest of X, Y, Z; 0 in the dark. */
+    private static double error(float[] xyz, double[] exact) {
+        double largest = Arrays.stream(exact).max().orElseThrow();
+        double difference = IntStream.range(0, 3)
+                .mapToDouble(c -> Math.abs(xyz[c] - exact[c]))
+                .max()
+                .orElseThrow();
+        return largest > 1e-9 ? difference / largest : 0;
     }
 
     private static void check(double[] sorted, double median, double percentile95) {
@@ -129,10 +133,8 @@ class RadialBakerTest {
                 baker(spectrum(map, ENSEMBLE, area, tolerance), area, 0.0009).bake(places, ColorBaker.Token.NONE);
         double order = xyz[3 * 39 + 2];
         assertThat(order).isGreaterThan(1e-3);
-        double largest = 0;
-        for (int i = 0; i < 3 * 39; i++) {
-            largest = Math.max(largest, xyz[i]);
-        }
+        double largest =
+                IntStream.range(0, 3 * 39).mapToDouble(i -> xyz[i]).max().orElseThrow();
         // The light falls there to a thousandth within two to four widths of the order. Measured 3e-6.
         assertThat(largest).isLessThan(5e-6 * order);
     }
@@ -176,10 +178,8 @@ class RadialBakerTest {
         float[] xyz = colors.bake(places, ColorBaker.Token.NONE);
         double[] errors = new double[places.length / 3];
         for (int i = 0; i < errors.length; i++) {
-            double brightest = Math.max(exact[3 * i], Math.max(exact[3 * i + 1], exact[3 * i + 2]));
-            for (int c = 0; c < 3; c++) {
-                errors[i] = Math.max(errors[i], Math.abs(xyz[3 * i + c] - exact[3 * i + c]) / brightest);
-            }
+            double[] single = {exact[3 * i], exact[3 * i + 1], exact[3 * i + 2]};
+            errors[i] = error(Arrays.copyOfRange(xyz, 3 * i, 3 * i + 3), single);
         }
         Arrays.sort(errors);
         // On this line more places are as dark as 1e-6 than in colorsAreThoseOfTheReference.

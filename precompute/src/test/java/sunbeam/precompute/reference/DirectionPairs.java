@@ -1,11 +1,18 @@
 package sunbeam.precompute.reference;
 
+import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
-final class DirectionPairs {
+public final class DirectionPairs {
     private DirectionPairs() {}
+
+    /** Only the sum of both directions counts: one has it, the other is 0. */
+    public static DirectionPair of(double u, double v, double w) {
+        return new DirectionPair(new Direction(-u, -v, -w), new Direction(0, 0, 0));
+    }
 
     /**
      * Light in the xz plane and the view at a frequency.
@@ -13,32 +20,23 @@ final class DirectionPairs {
      * @param thetaDegrees angle of the light to the normal, towards +x
      * @param fx u / lambda, cycles per meter
      * @param fy v / lambda, cycles per meter
-     * @throws IllegalArgumentException when no view sees it
      */
     static DirectionPair seeing(double thetaDegrees, double fx, double fy, double wavelength) {
         Direction light = Direction.ofDegrees(thetaDegrees, 0);
-        double x = -fx * wavelength - light.x();
-        double y = -fy * wavelength - light.y();
-        if (x * x + y * y > 1) {
-            throw new IllegalArgumentException("evanescent: " + x + ", " + y);
-        }
-        return new DirectionPair(light, Direction.ofDisc(x, y));
+        return new DirectionPair(light, Direction.ofDisc(-fx * wavelength - light.x(), -fy * wavelength - light.y()));
     }
 
-    static DirectionPair random(SplittableRandom random) {
+    public static DirectionPair random(SplittableRandom random) {
         return new DirectionPair(direction(random), direction(random));
     }
 
-    private static Direction direction(SplittableRandom random) {
-        return Direction.ofDegrees(85 * random.nextDouble(), 360 * random.nextDouble());
+    /** Uniform on the hemisphere. */
+    public static Direction direction(SplittableRandom random) {
+        return Direction.ofDegrees(Math.toDegrees(Math.acos(random.nextDouble())), 360 * random.nextDouble());
     }
 
-    /** The same pair of directions seen from below: (u, v, w) changes its sign. */
-    static DirectionPair opposite(DirectionPair pair) {
-        return new DirectionPair(opposite(pair.wi()), opposite(pair.wr()));
-    }
-
-    private static Direction opposite(Direction direction) {
-        return new Direction(-direction.x(), -direction.y(), -direction.z());
+    public static List<DirectionPair> random(int count) {
+        SplittableRandom random = new SplittableRandom(2);
+        return Stream.generate(() -> random(random)).limit(count).toList();
     }
 }

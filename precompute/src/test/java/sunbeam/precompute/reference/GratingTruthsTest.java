@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.apache.commons.math3.complex.Complex;
 import org.apache.commons.math3.special.BesselJ;
+import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -54,7 +55,7 @@ class GratingTruthsTest {
         }
     }
 
-    private static org.assertj.core.data.Offset<Double> relative(double value) {
+    private static Offset<Double> relative(double value) {
         return within(TRUTH * value);
     }
 
@@ -164,14 +165,26 @@ class GratingTruthsTest {
         return sum * step * step;
     }
 
-    @Test
-    void isWhiteInSpecularDirection() {
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 45, 89, 89.9})
+    void isWhiteInSpecularDirection(double theta) {
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
         ReferenceEvaluator reference = new ReferenceEvaluator(FLAT, window, WindowOrigin.CENTRE);
-        for (double theta : new double[] {0, 45, 89, 89.9}) {
-            DirectionPair pair = new DirectionPair(Direction.ofDegrees(theta, 0), Direction.ofDegrees(theta, 180));
-            assertThat(reference.powers(pair, 380e-9).coherent()).isCloseTo(1, within(1e-9));
-            assertThat(reference.powers(pair, 780e-9).ensemble()).isCloseTo(1, within(1e-9));
-        }
+        DirectionPair pair = new DirectionPair(Direction.ofDegrees(theta, 0), Direction.ofDegrees(theta, 180));
+        assertThat(reference.powers(pair, 380e-9).coherent()).isCloseTo(1, within(1e-9));
+        assertThat(reference.powers(pair, 780e-9).ensemble()).isCloseTo(1, within(1e-9));
+    }
+
+    /** The thesis has [0, 1]; 1 is a mirror along the normal, and a mirror near the horizon is brighter. */
+    @Test
+    void theRelativeRadianceOfAMirrorIsNoShareOfTheLight() {
+        DirectionPair mirror = new DirectionPair(Direction.ofDegrees(85, 0), Direction.ofDegrees(85, 180));
+
+        // R(85) / R(0) = 1 + 24 (1 - cos 85)^5 = 16.22; (1 + cos 170)^2 / (4 cos(85)^3) = 0.0872 = cos 85; the mask is
+        // 1.
+        double expected = (1 + 24 * Math.pow(1 - Math.cos(Math.toRadians(85)), 5)) * Math.cos(Math.toRadians(85));
+        assertThat(Gain.relativeRadiance(mirror))
+                .isCloseTo(expected, within(1e-9))
+                .isCloseTo(1.41, within(0.05));
     }
 }
