@@ -3,17 +3,13 @@ package sunbeam.precompute.colortable;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.HashMap;
+import java.util.Iterator;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
-import sunbeam.precompute.colortable.AtlasPages.TableLookUp;
 import sunbeam.precompute.colortable.TileGrid.TableSpace;
 import sunbeam.precompute.plan.GaussianArea;
 
@@ -72,24 +68,23 @@ class LevelBakingTest {
         }
     }
 
-    /** Root mean square error of roots between texels, in tiles that are baked when they are read. */
+    /** Root mean square error of roots between texels. */
     private static double error(TileGrid grid) {
-        Map<Integer, float[]> baked = new HashMap<>();
-        TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, number, index) -> {
-            float[] tile = baked.computeIfAbsent(number, key -> {
-                BitSet one = new BitSet();
-                one.set(key);
-                List<byte[]> tiles = new LevelBaking(grid, NumberFormat.FLOAT).bake(one, WAVES, ColorBaker.Token.NONE);
-                return decoded(tiles.get(0), NumberFormat.FLOAT);
-            });
-            return tile[index];
-        });
-        SplittableRandom random = new SplittableRandom(6);
+        double[][] places = new SplittableRandom(6)
+                .doubles(300, -1.4, 1.4)
+                .mapToObj(u -> new double[] {u, 1.4 * Math.sin(1000 * u)})
+                .toArray(double[][]::new);
+        BitSet tiles = new BitSet();
+        Arrays.stream(places).forEach(at -> tiles.or(tilesOf(grid, at[0], at[1], -0.5)));
+        AtlasPages pages = new AtlasPages(List.of(grid), NumberFormat.FLOAT);
+        Iterator<byte[]> baked = new LevelBaking(grid, NumberFormat.FLOAT)
+                .bake(tiles, WAVES, ColorBaker.Token.NONE)
+                .iterator();
+        tiles.stream().forEach(tile -> pages.add(0, tile, baked.next()));
         double squares = 0;
-        for (int i = 0; i < 300; i++) {
-            double u = random.nextDouble(-1.4, 1.4);
-            double v = random.nextDouble(-1.4, 1.4);
-            squares += Math.pow(Math.sqrt(table.xyz(0, u, v, -0.5)[1]) - root(u, v, 1) - 0.5, 2);
+        for (double[] at : places) {
+            double y = pages.lookUp().xyz(0, at[0], at[1], -0.5)[1];
+            squares += Math.pow(Math.sqrt(y) - root(at[0], at[1], 1) - 0.5, 2);
         }
         return Math.sqrt(squares / 300);
     }
@@ -131,8 +126,7 @@ class LevelBakingTest {
     void eachSampleIsEvaluatedOnceAndTilesAreTheSameInAnyOrder() {
         BitSet left = tilesOf(0.11, 0.3, -1.1);
         BitSet right = tilesOf(0.11 + TileGrid.SIDE * DESIGN.step(), 0.3, -1.1);
-        BitSet both = new BitSet();
-        both.or(left);
+        BitSet both = (BitSet) left.clone();
         both.or(right);
         LevelBaking together = new LevelBaking(GRID, NumberFormat.FLOAT);
         long all = together.missing(both);
@@ -143,12 +137,13 @@ class LevelBakingTest {
         apart.bake(left, WAVES, ColorBaker.Token.NONE);
         assertThat(first + apart.missing(right)).as("samples in all").isEqualTo(all);
         List<byte[]> later = apart.bake(right, WAVES, ColorBaker.Token.NONE);
+        // Numbers of tiles ascend, as tiles do in a list.
         int[] numbers = both.stream().toArray();
-        int[] ofRight = right.stream().toArray();
-        for (int i = 0; i < ofRight.length; i++) {
-            int at = Arrays.binarySearch(numbers, ofRight[i]);
-            assertThat(later.get(i)).isEqualTo(made.get(at));
-        }
+        int[] ofRight =
+                right.stream().map(tile -> Arrays.binarySearch(numbers, tile)).toArray();
+        assertThat(later)
+                .containsExactlyElementsOf(
+                        Arrays.stream(ofRight).mapToObj(made::get).toList());
     }
 
     @Test
@@ -163,19 +158,15 @@ class LevelBakingTest {
 
     @Test
     void noPairOfDirectionsNorAPixelsRimBeyondThemLeavesTheGrid() {
-        for (double angle = 0; angle < 6.3; angle += 0.1) {
-            for (double length : new double[] {2, 2.5, 40}) {
-                for (double w : new double[] {0.3, 0, -2, -2.4}) {
-                    BitSet tiles = tilesOf(length * Math.cos(angle), length * Math.sin(angle), w);
-                    assertThat(tiles.length()).isLessThanOrEqualTo(GRID.perSlice() * GRID.slices());
-                    // Prefilters need the neighbors.
-                    tiles.stream().forEach(tile -> {
-                        int[] place = GRID.place(tile);
-                        assertThat(place[0]).isBetween(1, GRID.columns() - 2);
-                        assertThat(place[1]).isBetween(1, GRID.columns() - 2);
-                    });
-                }
-            }
+        SplittableRandom random = new SplittableRandom(5);
+        for (int i = 0; i < 1000; i++) {
+            BitSet tiles = tilesOf(random.nextDouble(-40, 40), random.nextDouble(-2, 2), random.nextDouble(-2.4, 0.3));
+            assertThat(tiles.length()).isLessThanOrEqualTo(GRID.perSlice() * GRID.slices());
+            // Prefilters need the neighbors.
+            tiles.stream().mapToObj(GRID::place).forEach(place -> {
+                assertThat(place[0]).isBetween(1, GRID.columns() - 2);
+                assertThat(place[1]).isBetween(1, GRID.columns() - 2);
+            });
         }
     }
 
@@ -188,17 +179,6 @@ class LevelBakingTest {
         return half < 0 ? -magnitude : magnitude;
     }
 
-    static float[] decoded(byte[] tile, NumberFormat numbers) {
-        ByteBuffer bytes = ByteBuffer.wrap(tile).order(ByteOrder.nativeOrder());
-        float[] values = new float[tile.length / numbers.bytes()];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = numbers == NumberFormat.FLOAT
-                    ? bytes.getFloat(Float.BYTES * i)
-                    : (float) (value(bytes.getShort(Short.BYTES * i)) / numbers.scale());
-        }
-        return values;
-    }
-
     @Test
     void roundsToTheNearestHalfAndTiesToEven() {
         SplittableRandom random = new SplittableRandom(3);
@@ -206,6 +186,7 @@ class LevelBakingTest {
             double low = value((short) bits);
             double high = value((short) (bits + 1));
             assertThat(NumberFormat.half((float) low)).isEqualTo((short) bits);
+            assertThat((double) NumberFormat.ofHalf((short) bits)).isEqualTo(low);
             float middle = (float) (0.5 * (low + high));
             assertThat(NumberFormat.half(middle)).isEqualTo((short) (bits + (bits & 1)));
             assertThat(NumberFormat.half(Math.nextDown(middle))).isEqualTo((short) bits);
@@ -227,9 +208,8 @@ class LevelBakingTest {
     void rootsOfPowersFarBelowAMirrorsKeepElevenBits() {
         for (double power = 1; power > 4e-14; power *= 0.37) {
             float root = (float) Math.sqrt(power);
-            float[] kept = decoded(NumberFormat.HALF.encoded(new float[] {root, -root}), NumberFormat.HALF);
-            assertThat(Math.abs(kept[0] / root - 1)).isLessThanOrEqualTo(0x1p-11f);
-            assertThat(kept[1]).isEqualTo(-kept[0]);
+            float kept = NumberFormat.ofHalf(NumberFormat.half(NumberFormat.HALF.scale() * root));
+            assertThat(Math.abs(kept / NumberFormat.HALF.scale() / root - 1)).isLessThanOrEqualTo(0x1p-11f);
         }
     }
 
@@ -241,9 +221,7 @@ class LevelBakingTest {
             impulse[8] = 1;
             filter.toCoefficients(impulse, 16, 1);
 
-            for (float coefficient : impulse) {
-                assertThat(filter.key()).contains(String.valueOf(coefficient));
-            }
+            assertThat(filter.key()).contains(Arrays.toString(impulse));
         }
         assertThat(Interpolation.CUBIC.key()).isNotEqualTo(Interpolation.SHIFTED_LINES.key());
     }

@@ -76,12 +76,11 @@ class RadialBakerTest {
         return places;
     }
 
-    private static double[] errors(
-            HeightMap map, GaussianArea area, PowerSpectrum spectrum, float[] places, double step) {
+    private static double[] errors(HeightMap map, PowerSpectrum spectrum, float[] places) {
         AtomicLong done = new AtomicLong();
-        float[] xyz = baker(spectrum, area, step).bake(places, done::addAndGet);
+        float[] xyz = baker(spectrum, ENSEMBLE, STEP).bake(places, done::addAndGet);
         assertThat(done.get()).isEqualTo(places.length / 3);
-        ExactLight reference = area.over(map, CieTable.load());
+        ExactLight reference = ENSEMBLE.over(map, CieTable.load());
         double[] errors = new double[places.length / 3];
         for (int i = 0; i < errors.length; i++) {
             DirectionPair pair = DirectionPairs.of(places[3 * i], places[3 * i + 1], places[3 * i + 2]);
@@ -110,7 +109,7 @@ class RadialBakerTest {
     @Test
     void colorsAreThoseOfTheReference() {
         HeightMap map = Surfaces.random(30, 24, 250e-9, 500e-9, 4);
-        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(60), STEP);
+        double[] errors = errors(map, spectrum(map, ENSEMBLE), places(60));
         // TableDesign gives STEP for 1e-3: quintic splines err by a tenth of that in the median; the 95th percentile
         // are dark places between orders.
         check(errors, 1e-4, 2e-3);
@@ -151,7 +150,7 @@ class RadialBakerTest {
             places[i] *= (float) inner;
             places[i + 1] *= (float) inner;
         }
-        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE, ENSEMBLE, 5e-5), places, STEP);
+        double[] errors = errors(map, spectrum(map, ENSEMBLE, ENSEMBLE, 5e-5), places);
         // Measured 3.3e-5 with samples as close as sharp orders need, and 6.6e-5 at 0.014 apart; dark places between
         // orders have 2.2e-3 either way.
         check(errors, 5e-5, 3e-3);
@@ -160,7 +159,7 @@ class RadialBakerTest {
     @Test
     void ordersOfAGratingKeepTheirSkirts() {
         HeightMap map = Surfaces.of(64, 8, 100e-9, (x, y) -> 150e-9 * Math.sin(2 * Math.PI * x / 1.6e-6));
-        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(60), STEP);
+        double[] errors = errors(map, spectrum(map, ENSEMBLE), places(60));
         check(errors, 2e-4, 1e-2);
     }
 

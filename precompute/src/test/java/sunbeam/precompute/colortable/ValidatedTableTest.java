@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -21,6 +23,7 @@ import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.DirectionPairs;
 
 /** Tables checked at directions between their samples. */
 class ValidatedTableTest {
@@ -32,38 +35,29 @@ class ValidatedTableTest {
 
     private final List<String> messages = new ArrayList<>();
     private int opened;
+    private boolean hasRoom = true;
 
     private static void neverRefused(TableDesign design) {
         throw new AssertionError("there is room for " + design);
     }
 
     /** Power of two orders that cancel on lines: it is smooth, but its root has a kink. */
-    private static float[] cancelling(float[] uvw, ColorBaker.Token token) {
-        return colors(uvw, place -> Math.pow(Math.sin(9 * place[0] + 4 * place[1] + place[2]), 2) + 1e-7);
+    private static final ColorBaker CANCELLING = baker((u, v, w) -> Math.pow(Math.sin(9 * u + 4 * v + w), 2) + 1e-7);
+
+    private static final ColorBaker SMOOTH = baker((u, v, w) -> 2 + Math.sin(u + v) + 0.1 * w);
+
+    private interface Power {
+        double at(double u, double v, double w);
     }
 
-    private static float[] smooth(float[] uvw, ColorBaker.Token token) {
-        return colors(uvw, place -> 2 + Math.sin(place[0] + place[1]) + 0.1 * place[2]);
-    }
-
-    private static float[] dark(float[] uvw, ColorBaker.Token token) {
-        return colors(uvw, place -> 1e-12 * (1 + Math.sin(1000 * place[0])));
-    }
-
-    private static float[] noisy(float[] uvw, ColorBaker.Token token) {
-        Random random = new Random(3);
-        return colors(uvw, place -> 1 + random.nextDouble());
-    }
-
-    private static float[] colors(float[] uvw, Function<double[], Double> power) {
-        float[] xyz = new float[uvw.length];
-        for (int i = 0; i < uvw.length; i += 3) {
-            double value = power.apply(new double[] {uvw[i], uvw[i + 1], uvw[i + 2]});
-            for (int c = 0; c < 3; c++) {
-                xyz[i + c] = (float) value;
+    private static ColorBaker baker(Power power) {
+        return (uvw, token) -> {
+            float[] xyz = new float[uvw.length];
+            for (int i = 0; i < uvw.length; i += 3) {
+                Arrays.fill(xyz, i, i + 3, (float) power.at(uvw[i], uvw[i + 1], uvw[i + 2]));
             }
-        }
-        return xyz;
+            return xyz;
+        };
     }
 
     private ValidatedTable make(
@@ -71,7 +65,6 @@ class ValidatedTableTest {
             TablePoints points,
             TableDesign coarsest,
             ColorBaker baker,
-            boolean room,
             Consumer<TableDesign> refused) {
         Function<TableDesign, ColorBaker> bakers = design -> {
             opened++;
@@ -83,13 +76,13 @@ class ValidatedTableTest {
                 coarsest,
                 bakers,
                 samples -> ColorBaker.Token.NONE,
-                need -> room,
+                need -> hasRoom,
                 refused,
                 new ValidatedTable.Diagnostics(messages::add, messages::add));
     }
 
     private ValidatedTable oneLight(ColorBaker baker) {
-        return make(TOLERANCE, ONE_LIGHT, COARSE, baker, true, ValidatedTableTest::neverRefused);
+        return make(TOLERANCE, ONE_LIGHT, COARSE, baker, ValidatedTableTest::neverRefused);
     }
 
     @Test
@@ -103,7 +96,7 @@ class ValidatedTableTest {
 
     @Test
     void aTableThatKeepsItsToleranceIsMadeOnce() {
-        ValidatedTable made = oneLight(ValidatedTableTest::smooth);
+        ValidatedTable made = oneLight(SMOOTH);
         assertThat(made.grid().design()).isEqualTo(COARSE);
         assertThat(opened).isOne();
         assertThat(messages).isEmpty();
@@ -112,25 +105,25 @@ class ValidatedTableTest {
 
     @Test
     void kinksOfRootsMakeStepsSmallerUntilTheToleranceIsKept() {
-        ValidatedTable made = oneLight(ValidatedTableTest::cancelling);
+        ValidatedTable made = oneLight(CANCELLING);
 
         assertThat(made.grid().design().step()).isLessThan(COARSE.step());
         assertThat(messages).isNotEmpty().allMatch(line -> line.contains("baked again in steps of"));
         List<Double> errors = new ArrayList<>();
-        Random random = new Random(11);
+        SplittableRandom random = new SplittableRandom(11);
         while (errors.size() < 1000) {
-            // Directions other than the checked ones, uniform on the sphere.
-            double z = random.nextDouble();
-            double phi = 2 * Math.PI * random.nextDouble();
-            double sine = Math.sqrt(1 - z * z);
-            DirectionPair pair = new DirectionPair(LIGHT, new Direction(sine * Math.cos(phi), sine * Math.sin(phi), z));
-            float exact = cancelling(
-                    new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()}, ColorBaker.Token.NONE)[1];
+            // Directions other than the checked ones.
+            DirectionPair pair = new DirectionPair(LIGHT, DirectionPairs.direction(random));
+            float exact = CANCELLING.bake(uvw(pair), ColorBaker.Token.NONE)[1];
             errors.add(Math.abs(xyz(made, pair)[1] - exact) / exact);
         }
         errors.sort(null);
         assertThat(errors.get(500)).isLessThan(TOLERANCE);
         assertThat(errors.get(950)).isLessThan(3 * TOLERANCE);
+    }
+
+    private static float[] uvw(DirectionPair pair) {
+        return new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()};
     }
 
     private static double[] xyz(ValidatedTable made, DirectionPair pair) {
@@ -139,17 +132,11 @@ class ValidatedTableTest {
 
     @Test
     void pairsHaveFinerSlicesToo() {
-        Random random = new Random(7);
-        List<DirectionPair> pairs = new ArrayList<>();
-        for (int i = 0; i < 60; i++) {
-            pairs.add(new DirectionPair(
-                    Direction.ofDegrees(80 * random.nextDouble(), 360 * random.nextDouble()),
-                    Direction.ofDegrees(80 * random.nextDouble(), 360 * random.nextDouble())));
-        }
-        ColorBaker deep = (uvw, token) -> colors(uvw, place -> 1.5 + Math.sin(14 * place[2]));
+        List<DirectionPair> pairs = DirectionPairs.random(60);
+        ColorBaker deep = baker((u, v, w) -> 1.5 + Math.sin(14 * w));
 
         TablePoints points = new TablePoints(VisibleRange.of(pairs));
-        ValidatedTable made = make(TOLERANCE, points, COARSE, deep, true, ValidatedTableTest::neverRefused);
+        ValidatedTable made = make(TOLERANCE, points, COARSE, deep, ValidatedTableTest::neverRefused);
 
         assertThat(made.grid().slices()).isGreaterThan(COARSE.slices());
         for (DirectionPair pair : pairs) {
@@ -161,7 +148,10 @@ class ValidatedTableTest {
 
     @Test
     void darkDirectionsNeedNoFinerTable() {
-        assertThat(oneLight(ValidatedTableTest::dark).grid().design()).isEqualTo(COARSE);
+        assertThat(oneLight(baker((u, v, w) -> 1e-12 * (1 + Math.sin(1000 * u))))
+                        .grid()
+                        .design())
+                .isEqualTo(COARSE);
         assertThat(messages).isEmpty();
     }
 
@@ -170,8 +160,8 @@ class ValidatedTableTest {
         Consumer<TableDesign> refused = design -> {
             throw new IllegalStateException("no room for " + design.step());
         };
-        ColorBaker baker = ValidatedTableTest::cancelling;
-        assertThatThrownBy(() -> make(TOLERANCE, ONE_LIGHT, COARSE, baker, false, refused))
+        hasRoom = false;
+        assertThatThrownBy(() -> make(TOLERANCE, ONE_LIGHT, COARSE, CANCELLING, refused))
                 .hasMessageContaining("no room for");
         assertThat(opened).isOne();
         assertThat(messages).isEmpty();
@@ -180,9 +170,10 @@ class ValidatedTableTest {
     @Test
     void aTableThatKeepsThePromiseIsNotRefusedForLackOfRoomToBeSurer() {
         // Its errors lie between the table's target and its tolerance.
-        ColorBaker nearly = (uvw, token) -> colors(uvw, place -> 1 + 0.5 * Math.sin(36 * place[0]));
+        ColorBaker nearly = baker((u, v, w) -> 1 + 0.5 * Math.sin(36 * u));
 
-        ValidatedTable made = make(TOLERANCE, ONE_LIGHT, COARSE, nearly, false, ValidatedTableTest::neverRefused);
+        hasRoom = false;
+        ValidatedTable made = oneLight(nearly);
 
         assertThat(made.grid().design()).isEqualTo(COARSE);
         assertThat(messages).singleElement().asString().contains("memory does not suffice");
@@ -190,12 +181,12 @@ class ValidatedTableTest {
 
     @Test
     void noiseAndNanEndRefinement() {
-        oneLight(ValidatedTableTest::noisy);
+        Random random = new Random(3);
+        oneLight(baker((u, v, w) -> 1 + random.nextDouble()));
         assertThat(messages).last().asString().contains("smaller steps do not help");
         messages.clear();
         opened = 0;
-        ColorBaker broken = (uvw, token) -> colors(uvw, place -> place[0] > 0.2 ? Double.NaN : 1.0);
-        oneLight(broken);
+        oneLight(baker((u, v, w) -> u > 0.2 ? Double.NaN : 1.0));
         assertThat(opened).isOne();
         assertThat(messages).singleElement().asString().contains("smaller steps do not help");
     }
@@ -203,20 +194,20 @@ class ValidatedTableTest {
     @Test
     void lightWhereThereShouldBeNoneCounts() {
         // The spline through the root of a lone sharp order rings beside it.
-        ColorBaker lone = (uvw, token) -> colors(uvw, ValidatedTableTest::order);
+        ColorBaker lone = baker((u, v, w) -> order(u, v));
         TableDesign coarser = new TableDesign(0.1, 11);
-        ValidatedTable made = make(1e9, ONE_LIGHT, coarser, lone, true, ValidatedTableTest::neverRefused);
+        ValidatedTable made = make(1e9, ONE_LIGHT, coarser, lone, ValidatedTableTest::neverRefused);
         long bright = ONE_LIGHT.samples().stream()
-                .filter(pair -> order(new double[] {pair.u(), pair.v()}) > 1e-9)
+                .filter(pair -> order(pair.u(), pair.v()) > 1e-9)
                 .count();
         assertThat((long) made.errors().count()).isGreaterThan(bright);
     }
 
-    private static double order(double[] place) {
-        return Math.exp(-400 * (place[0] * place[0] + place[1] * place[1]));
+    private static double order(double u, double v) {
+        return Math.exp(-400 * (u * u + v * v));
     }
 
-    /** The table of one light from cached tiles of {@link #smooth}, checked against a baker. */
+    /** The table of one light from cached tiles of {@link #SMOOTH}, checked against a baker. */
     private static Optional<ValidatedTable> lookUp(ColorTable levels, BitSet missing, ColorBaker baker) {
         CachedTiles tiles = cached(levels, missing);
         return ValidatedTable.cached(levels, ONE_LIGHT, tiles, design -> baker, samples -> ColorBaker.Token.NONE);
@@ -234,8 +225,7 @@ class ValidatedTableTest {
 
             @Override
             public Map<Integer, byte[]> read(int level, BitSet tiles) {
-                List<byte[]> made = new LevelBaking(grid, levels.numbers())
-                        .bake(tiles, ValidatedTableTest::smooth, ColorBaker.Token.NONE);
+                List<byte[]> made = new LevelBaking(grid, levels.numbers()).bake(tiles, SMOOTH, ColorBaker.Token.NONE);
                 int[] numbers = tiles.stream().toArray();
                 return IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get));
             }
@@ -245,19 +235,17 @@ class ValidatedTableTest {
     @Test
     void mapsUseCachedTilesOfAllLightsUnlessTilesAreMissingOrErr() {
         ColorTable levels = ColorTable.within(TOLERANCE, RadialBakerTest.ensemble(6e-6), 0.3e-6, false, 0);
-        ColorBaker smooth = ValidatedTableTest::smooth;
-        ColorBaker other = (uvw, token) -> colors(uvw, place -> 3 + Math.sin(place[0]));
+        ColorBaker other = baker((u, v, w) -> 3 + Math.sin(u));
         BitSet tiles = ONE_LIGHT.tiles(TileGrid.of(levels.levels().get(0)));
         BitSet one = new BitSet();
         one.set(tiles.nextSetBit(tiles.length() / 2));
 
-        ValidatedTable found = lookUp(levels, new BitSet(), smooth).orElseThrow();
+        ValidatedTable found = lookUp(levels, new BitSet(), SMOOTH).orElseThrow();
         assertThat(found.grid().slices()).isEqualTo(levels.slices());
         DirectionPair pair = new DirectionPair(LIGHT, Direction.ofDegrees(50, 200));
-        double exact =
-                smooth(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()}, ColorBaker.Token.NONE)[0];
+        double exact = SMOOTH.bake(uvw(pair), ColorBaker.Token.NONE)[0];
         assertThat(xyz(found, pair)[0]).isCloseTo(exact, within(TOLERANCE * exact));
-        assertThat(lookUp(levels, one, smooth)).isEmpty();
+        assertThat(lookUp(levels, one, SMOOTH)).isEmpty();
         assertThat(lookUp(levels, new BitSet(), other)).isEmpty();
     }
 }

@@ -36,7 +36,7 @@ class FourierTableTest {
     })
     void everyTermIsTheDftOfItsPolynomial(int columns, int rows, int terms, double step) {
         HeightMap random = Surfaces.random(columns, rows, 40e-9, 300e-9, columns);
-        HeightMap map = step == 0 ? random : rounded(random, step);
+        HeightMap map = step == 0 ? random : random.map(height -> step * Math.rint(height / step));
         HeightLevels heights = HeightLevels.of(map);
         // Functions of the height are evaluated at samples or at levels.
         assertThat(heights.areTooManyToTabulate()).isEqualTo(step == 0);
@@ -47,33 +47,26 @@ class FourierTableTest {
         for (int n = 0; n < terms; n++) {
             for (int jy = bandY.first(); jy <= bandY.last(); jy++) {
                 for (int jx = bandX.first(); jx <= bandX.last(); jx++) {
-                    double[] expected = bin(map, expansion, n, jx, jy);
+                    Complex expected = bin(map, expansion, n, jx, jy);
                     int at = (jy - bandY.first()) * bandX.count() + jx - bandX.first();
                     // Values of at most 1 rounded to float32: half a unit in the last place is 6e-8.
-                    assertThat(table.real()[n][at]).isCloseTo((float) expected[0], within(1e-7f));
-                    assertThat(table.imaginary()[n][at]).isCloseTo((float) expected[1], within(1e-7f));
+                    assertThat(table.real()[n][at]).isCloseTo((float) expected.getReal(), within(1e-7f));
+                    assertThat(table.imaginary()[n][at]).isCloseTo((float) expected.getImaginary(), within(1e-7f));
                 }
             }
         }
     }
 
-    private static HeightMap rounded(HeightMap map, double step) {
-        return map.map(height -> step * Math.rint(height / step));
-    }
-
-    private static double[] bin(HeightMap map, TaylorExpansion expansion, int n, int jx, int jy) {
-        double real = 0;
-        double imaginary = 0;
+    private static Complex bin(HeightMap map, TaylorExpansion expansion, int n, int jx, int jy) {
+        Complex sum = Complex.ZERO;
         for (int row = 0; row < map.rows(); row++) {
             for (int column = 0; column < map.columns(); column++) {
                 double angle = 2 * Math.PI * ((double) jx * column / map.columns() - (double) jy * row / map.rows());
                 double value = Math.pow(expansion.scale().scaled(map.at(column, row)), n);
-                real += value * Math.cos(angle);
-                imaginary += value * Math.sin(angle);
+                sum = sum.add(Complex.I.multiply(angle).exp().multiply(value));
             }
         }
-        double samples = (double) map.columns() * map.rows();
-        return new double[] {real / samples, imaginary / samples};
+        return sum.divide((double) map.columns() * map.rows());
     }
 
     private static final double MAXIMUM_PHASE = 6;
@@ -136,7 +129,7 @@ class FourierTableTest {
             Complex term = new Complex(table.real()[n][bin], table.imaginary()[n][bin]);
             sum = sum.add(term.multiply(table.expansion().kind().turn(n)).multiply(coefficients[n]));
         }
-        return sum.getReal() * sum.getReal() + sum.getImaginary() * sum.getImaginary();
+        return sum.multiply(sum.conjugate()).getReal();
     }
 
     @TempDir
