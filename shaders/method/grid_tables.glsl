@@ -43,7 +43,7 @@ Place inGrid(vec2 position, vec2 origin) {
     return Place(false, 0, tapsAround(position.x, origin.x), tapsAround(position.y, origin.y));
 }
 
-// Layout of the terms of one spectrum (sunbeam.precompute.plan.GridArrays.TermsLayout): texels is the number of texels per frequency, of
+// Layout of the terms of one spectrum (sunbeam.precompute.plan.GridSampling.TermsLayout): texels is the number of texels per frequency, of
 // which together lie side by side in a row, the others in further layers.
 struct Terms {
     int texels;

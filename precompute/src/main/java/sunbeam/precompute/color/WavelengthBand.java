@@ -1,6 +1,5 @@
 package sunbeam.precompute.color;
 
-import java.util.regex.Pattern;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.precompute.text.Quoted;
@@ -9,7 +8,6 @@ import sunbeam.precompute.units.Lengths;
 
 /** Part of the visible band that a filter passes, or a spectral line, which is a nanometer wide. */
 public record WavelengthBand(double firstNanometers, double lastNanometers) {
-    private static final Pattern BETWEEN = Pattern.compile("\\.\\.");
     private static final double LINE_NANOMETERS = 1;
     private static final double MINIMUM = 380;
     private static final double MAXIMUM = 780;
@@ -30,7 +28,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
 
     /** Parses {@code 532nm} or {@code 500nm..600nm}; throws IllegalArgumentException for other texts. */
     public static WavelengthBand parse(String text) {
-        String[] ends = BETWEEN.split(text.strip(), -1);
+        String[] ends = text.strip().split("\\.\\.", -1);
         if (ends.length > 2) {
             throw new IllegalArgumentException(Quoted.of(text) + " is neither a wavelength nor a band" + REMEDY);
         }

@@ -55,7 +55,8 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
 
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
-        return range.hasPoints()
+        // In maps and lists, single points occur alone: a table may hold only those.
+        return range.light().isPresent() || !range.pairs().isEmpty()
                 ? PointTable.of(surface, this, new TablePoints(range)).plan()
                 : ColorTablePlan.of(surface, this).plan();
     }

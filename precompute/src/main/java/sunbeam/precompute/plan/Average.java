@@ -10,8 +10,8 @@ public enum Average {
     ENSEMBLE;
 
     public void defineIn(ShaderTables.Builder tables) {
-        for (Average average : values()) {
-            tables.define("AVERAGE_" + average, average.ordinal());
+        for (int i = 0; i < values().length; i++) {
+            tables.define("AVERAGE_" + values()[i], i);
         }
         tables.define("AVERAGE", "AVERAGE_" + this);
     }

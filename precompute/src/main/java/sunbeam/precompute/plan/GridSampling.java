@@ -181,9 +181,9 @@ public record GridSampling(
             int terms = plan.expansion().terms();
             int texels = texels(2 * terms);
             int samples = CoefficientTable.sampleCount(plan.expansion(), coherent ? 1 : PowerSpectrum.BANDWIDTH);
-            int functions = coherent ? terms : CHANNELS * texels;
             List<ArrayLayout> layouts = new ArrayList<>();
-            layouts.add(ShaderArrays.coefficientsLayout(name + "Coefficients", samples, functions));
+            layouts.add(ShaderArrays.coefficientsLayout(
+                    name + "Coefficients", samples, coherent ? terms : CHANNELS * texels));
             layouts(texels).forEach(layout -> layouts.add(layout.array()));
             return layouts;
         }

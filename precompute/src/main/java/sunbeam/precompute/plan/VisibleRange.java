@@ -60,11 +60,6 @@ public record VisibleRange(
                 minimumU - margin, maximumU + margin, minimumV - margin, maximumV + margin, leastW, largestW);
     }
 
-    /** True if single points can occur alone, as in maps and lists, so that a table may hold only those. */
-    public boolean hasPoints() {
-        return light.isPresent() || !pairs.isEmpty();
-    }
-
     /** Returns a text for cache keys; all uses of the same intervals share tables. */
     @Override
     public String toString() {

@@ -1,9 +1,10 @@
 package sunbeam.precompute.setting;
 
-import java.util.Arrays;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import sunbeam.precompute.setting.Choices.Origin;
@@ -38,7 +39,11 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
 
     @SafeVarargs
     public static List<Setting<?>> union(List<Setting<?>>... lists) {
-        return Arrays.stream(lists).<Setting<?>>flatMap(List::stream).distinct().toList();
+        Set<Setting<?>> all = new LinkedHashSet<>();
+        for (List<Setting<?>> list : lists) {
+            all.addAll(list);
+        }
+        return List.copyOf(all);
     }
 
     public Optional<String> writtenStandard() {

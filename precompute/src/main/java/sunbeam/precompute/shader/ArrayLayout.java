@@ -1,5 +1,6 @@
 package sunbeam.precompute.shader;
 
+import java.util.Set;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -13,14 +14,11 @@ import sunbeam.precompute.text.Text;
 public record ArrayLayout(
         String sampler, int width, int height, int layers, boolean layered, int channels, boolean filtered) {
     public ArrayLayout {
-        if (width < 1 || height < 1 || layers < 1 || (!layered && layers != 1)) {
+        boolean texels = width >= 1 && height >= 1 && layers >= 1 && (layered || layers == 1);
+        if (!texels || !Set.of(1, 2, 4).contains(channels)) {
             throw new IllegalArgumentException(Text.format(
-                    "array '%s' of %d x %d x %d: each side must be at least 1, and a flat array needs 1 layer",
-                    sampler, width, height, layers));
-        }
-        if (channels != 1 && channels != 2 && channels != 4) {
-            throw new IllegalArgumentException(
-                    Text.format("array '%s' with %d channels: must be 1, 2 or 4", sampler, channels));
+                    "array '%s' of %d x %d x %d with %d channels: a flat array has 1 layer, a texel 1, 2 or 4 channels",
+                    sampler, width, height, layers, channels));
         }
     }
 
