@@ -170,7 +170,8 @@ public final class ExportCommand extends FileCommand {
                 setup,
                 choices,
                 read,
-                GridErrors.of(setup, baker, read, writer.errorWeights(setup.cie()), Optional.ofNullable(samples)),
+                TableMetadata.GridErrors.of(
+                        setup, baker, read, writer.errorWeights(setup.cie()), Optional.ofNullable(samples)),
                 rule.divisor(setup.patch().heights(), RefractiveIndex.KERATIN, choices.with(COHERENCE_LENGTH, width)));
         TableWriter.Output table = writer.output(grid, baker, metadata);
         List<Path> written = format.write(output, overwrite(), table.files());

@@ -18,7 +18,7 @@ final class GridErrorsTest {
     @ParameterizedTest
     @CsvSource({"1e6, , 4", "9.5e9, , 2", "1e12, , 1", "1e12, 6, 6", "1, 0, 0"})
     void costlyPairsAreFewUnlessTheirNumberIsGiven(double cost, Integer given, int compared) {
-        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> cost, Optional.ofNullable(given)))
+        assertThat(TableMetadata.GridErrors.choose(AIMED, UNIFORM, pair -> cost, Optional.ofNullable(given)))
                 .isEqualTo(IntStream.range(0, compared)
                         .mapToObj(i -> (i % 2 == 0 ? AIMED : UNIFORM).get(i / 2))
                         .toList());
