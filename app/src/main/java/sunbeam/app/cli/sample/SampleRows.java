@@ -40,7 +40,6 @@ final class SampleRows {
     // Least standard deviation of an order, in sides of a cell: narrower ones would be missed between cell centers.
     private static final double LEAST_WIDTH = 0.6;
 
-    private final ColorTable.Level finest;
     private final RadialBaker colors;
     private final PairDensity density;
     private final ColorBaker.Token token;
@@ -51,13 +50,11 @@ final class SampleRows {
     /** @param plan plan with the ensemble average */
     SampleRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, ColorBaker.Token token) {
         ColorTable table = plan.table();
-        this.finest = table.levels().get(0);
-        this.colors = new RadialBaker(spectrum, cie, finest);
+        this.colors = new RadialBaker(spectrum, cie, table.levels().get(0));
         this.token = token;
+        double least = LEAST_WIDTH * 4 / PairDensity.SIDE / ColorTable.MIDDLE_WAVELENGTH;
         ColorTable.Level blurredLevel = table.levels().stream()
-                .filter(level ->
-                        ColorTable.MIDDLE_WAVELENGTH * level.area().window().sigmaFrequency()
-                                > LEAST_WIDTH * 4 / PairDensity.SIDE)
+                .filter(level -> level.area().window().sigmaFrequency() > least)
                 .findFirst()
                 .orElseThrow();
         float[] weights = weights(new RadialBaker(spectrum, cie, blurredLevel));
@@ -70,12 +67,14 @@ final class SampleRows {
                 .filter(PairDensity::isInside)
                 .toArray();
         float[] places = new float[CHANNELS * DEPTHS.length * cells.length];
-        for (int i = 0; i < places.length / CHANNELS; i++) {
-            int cell = cells[i / DEPTHS.length];
+        int at = 0;
+        for (int cell : cells) {
             double deepest = Math.sqrt(4 - Math.pow(PairDensity.radius(cell), 2));
-            places[CHANNELS * i] = (float) PairDensity.u(cell);
-            places[CHANNELS * i + 1] = (float) PairDensity.v(cell);
-            places[CHANNELS * i + 2] = (float) (-DEPTHS[i % DEPTHS.length] * deepest);
+            for (double depth : DEPTHS) {
+                places[at++] = (float) PairDensity.u(cell);
+                places[at++] = (float) PairDensity.v(cell);
+                places[at++] = (float) (-depth * deepest);
+            }
         }
         float[] xyz = blurred.bakeRepeatably(places, ColorBaker.Token.NONE);
         float[] weights = new float[PairDensity.SIDE * PairDensity.SIDE];
