@@ -14,7 +14,6 @@ import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.PlacedMesh;
 import jrtr.scene.View;
 import org.joml.Matrix4f;
 import org.joml.Quaternionfc;
@@ -92,7 +91,13 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
 
         /** Returns a block's buffer, drawn if necessary; valid until the next call. */
         GeometryBuffer of(SkinGeometry wanted, Tile block) {
-            changeTo(wanted);
+            if (!wanted.equals(geometry)) {
+                drawn.clear();
+                if (geometry != null && (wanted.width() != geometry.width() || wanted.height() != geometry.height())) {
+                    closeBuffers();
+                }
+                geometry = wanted;
+            }
             GeometryBuffer buffer = buffers.get(block);
             if (buffer == null) {
                 buffer = newBuffer(block);
@@ -100,14 +105,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
             }
             // The draw of each part would process all vertices.
             if (!drawn.contains(block)) {
-                View.Area area = new View.Area(geometry.width(), geometry.height(), block);
-                geometry.placed(program)
-                        .draw(
-                                context,
-                                geometry.sight(),
-                                area,
-                                buffer.attributes(),
-                                Tile.whole(block.width(), block.height()));
+                geometry.draw(context, program, buffer.attributes(), block);
                 drawn.add(block);
                 // Geometry pass and shading pass are timed separately, except in moving pictures.
                 if (layout == Layout.FULL) {
@@ -115,17 +113,6 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
                 }
             }
             return buffer;
-        }
-
-        private void changeTo(SkinGeometry wanted) {
-            if (wanted.equals(geometry)) {
-                return;
-            }
-            drawn.clear();
-            if (geometry == null || wanted.width() != geometry.width() || wanted.height() != geometry.height()) {
-                closeBuffers();
-            }
-            geometry = wanted;
         }
 
         /** Returns the oldest buffer again if the cache is full and it has the block's size: new memory takes time. */
@@ -173,7 +160,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
             Optional<Vector3fc> shadowLight,
             int width,
             int height) {
-        View sight() {
+        private View sight() {
             return Framing.view(view, mesh.bounds());
         }
 
@@ -187,14 +174,14 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
             return toClip.invert().translate(-1, -1, -1).scale(2f / block.width(), 2f / block.height(), 2);
         }
 
-        PlacedMesh placed(ShaderProgram program) {
-            Faces faces = closed && Framing.seesFromOutside(sight()) ? Faces.FRONT : Faces.BOTH;
-            boolean isShaded = program.isActive("shadowMap");
-            if (isShaded) {
+        void draw(RenderContext context, ShaderProgram program, FloatTarget target, Tile block) {
+            if (program.isActive("shadowMap")) {
                 shadows.applyTo(program, shadowLight.isPresent());
             }
-            Map<String, Texture> further = isShaded ? shadows.textures() : Map.of();
-            return body.placed(mesh, orientation, program, rotatePatch, faces, further);
+            Faces faces = closed && Framing.seesFromOutside(sight()) ? Faces.FRONT : Faces.BOTH;
+            View.Area area = new View.Area(width, height, block);
+            body.placed(mesh, orientation, program, rotatePatch, faces, shadows.textures())
+                    .draw(context, sight(), area, target, Tile.whole(block.width(), block.height()));
         }
     }
 }

@@ -148,17 +148,14 @@ public final class SceneSession implements AutoCloseable {
                     virtualTexture().ifPresent(VirtualTexture::clearFeedback);
                     return false;
                 }
-                addFeedback(parts.get(i).perLight().get(light));
+                DrawRequest request = parts.get(i).perLight().get(light);
+                SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height(), false);
+                for (SceneBlocks.Piece piece : request.blocks().split(request.tile())) {
+                    shading.addFeedback(part(request, geometry, piece));
+                }
             }
         }
         return true;
-    }
-
-    private void addFeedback(DrawRequest request) {
-        SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height(), false);
-        for (SceneBlocks.Piece piece : request.blocks().split(request.tile())) {
-            shading.addFeedback(part(request, geometry, piece));
-        }
     }
 
     /** Returns requests for the first samples of all {@link #tiles} of a picture. */

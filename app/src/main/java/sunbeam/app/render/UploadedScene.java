@@ -219,8 +219,8 @@ final class UploadedScene implements AutoCloseable {
                 program.set("patchColor", (float) body.patchColor());
             }
             Map<String, Texture> textures = new HashMap<>(uploaded);
-            textures.keySet().removeIf(name -> !program.isActive(name));
             textures.putAll(furtherTextures);
+            textures.keySet().removeIf(name -> !program.isActive(name));
             return new PlacedMesh(mesh, Framing.toWorld(orientation, mesh.bounds()), program, textures, faces);
         }
 
@@ -252,26 +252,19 @@ final class UploadedScene implements AutoCloseable {
                     uploaded.body.placed(mesh, scene.orientation(), program, rotation, Faces.BOTH, Map.of());
             Light.apply(Framing.lights(scene), program);
             placed.draw(context, Framing.view(scene.view(), mesh.bounds()), pixel, target, Tile.whole(1, 1));
-            float[][] values = new float[IMAGES][];
-            for (int i = 0; i < IMAGES; i++) {
-                values[i] = target.read(i);
-            }
-            if (values[0][3] == 0) {
+            float[] point = target.read(0);
+            if (point[3] == 0) {
                 return Optional.empty();
             }
             return Optional.of(new Pick(
-                    vector(values[0]),
-                    scene.patches().region((int) values[0][3] - 1),
+                    new Vector3f(point),
+                    scene.patches().region((int) point[3] - 1),
                     mesh.bounds().center(),
-                    vector(values[1]),
-                    vector(values[2]),
-                    vector(values[3]),
-                    direction(values[4]),
-                    direction(values[5])));
-        }
-
-        private static Vector3f vector(float[] rgba) {
-            return new Vector3f(rgba[0], rgba[1], rgba[2]);
+                    new Vector3f(target.read(1)),
+                    new Vector3f(target.read(2)),
+                    new Vector3f(target.read(3)),
+                    direction(target.read(4)),
+                    direction(target.read(5))));
         }
 
         private static Direction direction(float[] rgba) {

@@ -265,18 +265,14 @@ public final class Scenes {
             throw new IllegalArgumentException(
                     builtIn.isEmpty()
                             ? "names a file, which built-in scenes do not"
-                            : "is not one of " + list(builtIn));
+                            : "is not one of " + String.join(", ", builtIn));
         }
         Path file = folder.get().file(name).normalize();
         if (!Files.exists(file)) {
             throw new IllegalArgumentException("is no file: there is no " + file + "; check the name"
-                    + (builtIn.isEmpty() ? "" : ", or take one of " + list(builtIn)));
+                    + (builtIn.isEmpty() ? "" : ", or take one of " + String.join(", ", builtIn)));
         }
         folder.get().requireNoWayOut(file);
         return file.toString();
-    }
-
-    private static String list(List<String> names) {
-        return String.join(", ", names);
     }
 }

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -115,38 +116,29 @@ public record MeshSource(String name, Unit unit) {
                 })
                 .scaled(unit.meters);
         List<String> warnings = new ArrayList<>();
+        Consumer<String> warning = line -> warnings.add(file + ": " + line);
         RawMesh mesh = raw.withoutDegenerate();
         int dropped = (raw.cornerCount() - mesh.cornerCount()) / 3;
         InputException.refuseIf(
                 raw.cornerCount() == 0, file + " has no faces; name a mesh with faces as OBJ, PLY or glTF");
         InputException.refuseIf(mesh.cornerCount() == 0, file + " has no face with an area");
         if (dropped > 0) {
-            warnings.add(file + ": dropped " + count(dropped, "triangle") + " without area");
+            warning.accept("dropped " + count(dropped, "triangle") + " without area");
         }
         Optional<Vector3d> far = mesh.farCenter();
-        far.ifPresent(center -> warnings.add(Text.format(
-                "%s: it lies far from the origin, so its center (%.3f, %.3f, %.3f) m is moved there",
-                file, center.x, center.y, center.z)));
-        return complete(file, unit, far.map(mesh::centered).orElse(mesh), warnings);
+        far.ifPresent(center -> warning.accept(Text.format(
+                "it lies far from the origin, so its center (%.3f, %.3f, %.3f) m is moved there",
+                center.x, center.y, center.z)));
+        return new Loaded(complete(far.map(mesh::centered).orElse(mesh), unit, warning), warnings);
     }
 
-    private static Loaded complete(Path file, Unit unit, RawMesh mesh, List<String> warnings) {
+    private static Mesh complete(RawMesh mesh, Unit unit, Consumer<String> warning) {
         boolean planar = IntStream.range(0, mesh.cornerCount()).anyMatch(corner -> mesh.textureCoordinate(corner) < 0);
         if (planar) {
-            warnings.add(file + ": texture coordinates are missing; they are taken from above (x, y)");
+            warning.accept("texture coordinates are missing; they are taken from above (x, y)");
         }
-        VertexAssembly assembly = new VertexAssembly(planar ? mesh.withPlanarCoordinates() : mesh, planar);
-        Mesh result = assembly.assemble();
-        sizeWarning(mesh, unit).ifPresent(line -> warnings.add(file + ": " + line));
-        if (assembly.computedNormals() > 0) {
-            warnings.add(file + ": computed normals for " + assembly.computedNormals() + " of "
-                    + count(result.vertices(), "vertex"));
-        }
-        if (!planar && assembly.undirected() > 0) {
-            warnings.add(file + ": the texture gives no direction at " + count(assembly.undirected(), "vertex")
-                    + "; the tangent follows x there");
-        }
-        return new Loaded(result, warnings);
+        warnOfSize(mesh, unit, warning);
+        return new VertexAssembly(planar ? mesh.withPlanarCoordinates() : mesh, planar).assemble(warning);
     }
 
     public static String count(int number, String noun) {
@@ -154,10 +146,10 @@ public record MeshSource(String name, Unit unit) {
         return number + " " + (number == 1 ? noun : plural);
     }
 
-    private static Optional<String> sizeWarning(RawMesh mesh, Unit unit) {
+    private static void warnOfSize(RawMesh mesh, Unit unit, Consumer<String> warning) {
         double side = mesh.longestSide();
         if (isPlausible(side)) {
-            return Optional.empty();
+            return;
         }
         String remedy = Stream.of(Unit.MM, Unit.CM, Unit.IN, Unit.M, Unit.UM)
                 .filter(other -> isPlausible(side / unit.meters * other.meters))
@@ -166,7 +158,7 @@ public record MeshSource(String name, Unit unit) {
                 .map(word -> "if its numbers are in " + word + ", give --mesh-unit " + word
                         + ", in a scene \"meshUnit\": \"" + word + "\"")
                 .orElse("scale it");
-        return Optional.of("the mesh is " + Lengths.rounded(side, 3) + " wide, where " + Lengths.format(LEAST) + " to "
+        warning.accept("the mesh is " + Lengths.rounded(side, 3) + " wide, where " + Lengths.format(LEAST) + " to "
                 + Lengths.format(MOST) + " make sense; " + remedy);
     }
 

@@ -24,7 +24,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.stream.IntStream;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.text.Text;
@@ -124,6 +123,7 @@ public final class MeshWriters {
         private final List<Map<String, ?>> accessors = new ArrayList<>();
         private final List<Map<String, ?>> views = new ArrayList<>();
         private final List<Map<String, ?>> images = new ArrayList<>();
+        private final List<Map<String, ?>> textures = new ArrayList<>();
         private final ByteArrayOutputStream binary = new ByteArrayOutputStream();
 
         private Map<String, ?> document(Mesh mesh, Optional<SkinMaps> maps) throws IOException {
@@ -146,11 +146,7 @@ public final class MeshWriters {
             document.put("buffers", List.of(Map.of("byteLength", binary.size())));
             if (!images.isEmpty()) {
                 document.put("images", images);
-                document.put(
-                        "textures",
-                        IntStream.range(0, images.size())
-                                .mapToObj(image -> Map.of("source", image))
-                                .toList());
+                document.put("textures", textures);
             }
             return document;
         }
@@ -230,6 +226,7 @@ public final class MeshWriters {
         private Map<String, ?> texture(BufferedImage picture) throws IOException {
             ByteArrayOutputStream png = new ByteArrayOutputStream();
             PngWriter.write(png, picture, Map.of());
+            textures.add(Map.of("source", images.size()));
             images.add(Map.of("mimeType", "image/png", "bufferView", view(png.toByteArray(), Map.of())));
             return Map.of("index", images.size() - 1);
         }

@@ -51,6 +51,11 @@ final class PlyFile {
     private record Property(String name, Optional<SampleType> length, SampleType type) {}
 
     private record Element(String name, int count, List<Property> properties) {
+        Element {
+            if (count < 0) {
+                throw new IllegalArgumentException("a negative count");
+            }
+        }
 
         /** Returns the first of these names that occurs, or -1. */
         int column(String... names) {
@@ -86,7 +91,8 @@ final class PlyFile {
             try {
                 switch (words[0]) {
                     case "format" -> encoding = Encoding.valueOf(words[1].toUpperCase(Locale.ROOT));
-                    case "element" -> elements.add(element(words));
+                    case "element" ->
+                        elements.add(new Element(words[1], Integer.parseInt(words[2]), new ArrayList<>()));
                     case "property" ->
                         elements.get(elements.size() - 1).properties().add(property(words));
                     case "end_header" -> {
@@ -121,14 +127,6 @@ final class PlyFile {
                             + " characters; export the mesh again");
         }
         return line.toString();
-    }
-
-    private static Element element(String[] words) {
-        int count = Integer.parseInt(words[2]);
-        if (count < 0) {
-            throw new IllegalArgumentException("a negative count");
-        }
-        return new Element(words[1], count, new ArrayList<>());
     }
 
     private static Property property(String[] words) {

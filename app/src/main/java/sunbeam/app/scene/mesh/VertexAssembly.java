@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.joml.Vector3f;
@@ -27,7 +28,6 @@ final class VertexAssembly {
     private final Map<Vertex, Integer> numbers = new HashMap<>();
     private final List<Vertex> vertices = new ArrayList<>();
     private final List<Vector3f> tangents = new ArrayList<>();
-    private long computedNormals;
     private int undirected;
 
     /** @param along direction of growing u (Lengyel 2001), twice the triangle's area long; zero if the texture has no area */
@@ -71,16 +71,8 @@ final class VertexAssembly {
         }
     }
 
-    long computedNormals() {
-        return computedNormals;
-    }
-
-    /** Returns the number of vertices without direction; their tangent follows x. */
-    int undirected() {
-        return undirected;
-    }
-
-    Mesh assemble() {
+    /** @param warning accepts a line about each kind of data that is computed */
+    Mesh assemble(Consumer<String> warning) {
         for (int first = 0; first < indices.length; first += 3) {
             TriangleTangent tangent = TriangleTangent.of(mesh, first);
             int textureHand = tangent.mirrored() && !alwaysRightHanded ? -1 : 1;
@@ -92,7 +84,17 @@ final class VertexAssembly {
                 tangents.get(indices[corner]).add(new Vector3f(tangent.along()));
             }
         }
-        return toMesh();
+        Mesh result = toMesh();
+        long computed =
+                vertices.stream().filter(vertex -> vertex.normalKey() < 0).count();
+        if (computed > 0) {
+            warning.accept("computed normals for " + computed + " of " + MeshSource.count(vertices.size(), "vertex"));
+        }
+        if (!alwaysRightHanded && undirected > 0) {
+            warning.accept("the texture gives no direction at " + MeshSource.count(undirected, "vertex")
+                    + "; the tangent follows x there");
+        }
+        return result;
     }
 
     private int addVertex(Vertex vertex) {
@@ -108,7 +110,6 @@ final class VertexAssembly {
                 new float[3 * count], new float[3 * count], new float[4 * count], new float[2 * count], indices, false);
         for (int i = 0; i < count; i++) {
             Vertex vertex = vertices.get(i);
-            computedNormals += vertex.normalKey() < 0 ? 1 : 0;
             Vector3d normal = normal(vertex.position(), vertex.normalKey());
             for (int axis = 0; axis < 3; axis++) {
                 result.positions()[3 * i + axis] = (float) mesh.positions()[3 * vertex.position() + axis];
