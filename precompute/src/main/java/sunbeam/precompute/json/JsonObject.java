@@ -26,6 +26,7 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Choices.Origin;
+import sunbeam.precompute.setting.Choices.Origin.Place;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
@@ -257,19 +258,14 @@ public final class JsonObject {
     }
 
     public Origin origin() {
-        return new KeyOrigin(this, Optional.empty());
+        return new KeyOrigin(Place.FILE, this, Optional.empty());
     }
 
     public Origin originAt(String key) {
-        return new KeyOrigin(this, Optional.of(key));
+        return new KeyOrigin(Place.FILE, this, Optional.of(key));
     }
 
-    private record KeyOrigin(JsonObject object, Optional<String> key) implements Origin {
-        @Override
-        public Place place() {
-            return Place.FILE;
-        }
-
+    private record KeyOrigin(Place place, JsonObject object, Optional<String> key) implements Origin {
         @Override
         public String name(Setting<?> setting) {
             return setting.fileKey();

@@ -32,6 +32,9 @@ class DisplayTransformTest {
 
         assertThat(light(Srgb.xyz(dim[0], dim[1], dim[2]), 1, tone)).containsExactly(dim, within(ROUNDING));
         assertThat(light(Srgb.xyz(4, 1, 3), 0.1, tone)).containsExactly(dim, within(ROUNDING));
+        assertThat(light(Srgb.xyz(3, 0.5, 1.5), 1, Tone.CLIP))
+                .as("clipped one by one")
+                .containsExactly(new double[] {1, 0.5, 1}, within(ROUNDING));
     }
 
     @Test
@@ -56,12 +59,6 @@ class DisplayTransformTest {
             assertThat(brightness > 50 || largest < 0.9956).isTrue();
             before = largest;
         }
-    }
-
-    @Test
-    void clippedChannelsAreCutOneByOne() {
-        assertThat(light(Srgb.xyz(3, 0.5, 1.5), 1, Tone.CLIP))
-                .containsExactly(new double[] {1, 0.5, 1}, within(ROUNDING));
     }
 
     /** Its program's curve is 1.055 x^(1 / 2.5) - 0.055. */
@@ -159,7 +156,6 @@ class DisplayTransformTest {
         "50, -1.1848, -84.8006, 50, 0, -82.7485, 1.0000",
         "50, -0.9009, -85.5211, 50, 0, -82.7485, 1.0000",
         "50, 0, 0, 50, -1, 2, 2.3669",
-        "50, -1, 2, 50, 0, 0, 2.3669",
         "50, 2.4900, -0.0010, 50, -2.4900, 0.0009, 7.1792",
         "50, 2.4900, -0.0010, 50, -2.4900, 0.0010, 7.1792",
         "50, 2.4900, -0.0010, 50, -2.4900, 0.0011, 7.2195",

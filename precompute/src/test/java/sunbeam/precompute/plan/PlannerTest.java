@@ -61,13 +61,11 @@ class PlannerTest {
 
     @Test
     void aWindowNeedsSamples() {
-        assertThatThrownBy(() -> plan(400e-9, STANDARD.with(COHERENCE_LENGTH, 120e-9)))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContainingAll("coherence length 120 nm", "give 200 nm or more");
+        Choices shortest = STANDARD.with(COHERENCE_LENGTH, 120e-9);
+        assertRefused(planner(400e-9), shortest, "coherence length 120 nm", "give 200 nm or more");
         // Samples so far apart show no structure.
         HeightMap wide = new HeightMap(16, 16, 78e-6, 78e-6, new double[256]);
-        assertThatThrownBy(() -> plan(planner(wide), STANDARD, MAP))
-                .hasMessageContaining("check the scan's size and its unit");
+        assertRefused(planner(wide, MUCH_MEMORY), STANDARD, "check the scan's size and its unit");
     }
 
     @Test
@@ -75,26 +73,16 @@ class PlannerTest {
         assertThat(plan(250e-9, TAYLOR).expansion().terms())
                 .as("16 for the blaze at 1e-3; here the share of the expansion is 2e-5")
                 .isBetween(16, 24);
-        assertThatThrownBy(() -> plan(2e-6, TAYLOR))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContainingAll("taylor reaches only", "use lowrank");
-        assertThatThrownBy(() -> plan(5e-6, TAYLOR.with(TERMS, 37)))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("taylor with 37 terms leaves the range of float32");
+        assertRefused(planner(2e-6), TAYLOR, "taylor reaches only", "use lowrank");
+        assertRefused(planner(5e-6), TAYLOR.with(TERMS, 37), "taylor with 37 terms leaves the range of float32");
     }
 
     @ParameterizedTest
     @ValueSource(longs = {32L << 20, 8L << 20})
     void plansBeyondTheMemoryAreRefusedWithTheirNeed(long heap) {
         HeightMap map = Surfaces.random(1024, 1024, PITCH, 800e-9, 1);
-        Planner planner = planner(map, heap);
-
-        assertThatThrownBy(() -> plan(planner, STANDARD, VisibleRange.all()))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContainingAll(
-                        "coherence length 65 um and",
-                        "MB of memory, but Java's heap may take " + Math.round(heap * 1e-6) + " MB",
-                        "SUNBEAM_JAVA_OPTIONS=-Xmx");
+        String limit = "MB of memory, but Java's heap may take " + Math.round(heap * 1e-6) + " MB";
+        assertRefused(planner(map, heap), STANDARD, "coherence length 65 um and", limit, "SUNBEAM_JAVA_OPTIONS=-Xmx");
     }
 
     @Test
@@ -150,6 +138,12 @@ class PlannerTest {
         return planner.plan(new TableChoices(choices), GaussianArea.of(choices), range);
     }
 
+    private static void assertRefused(Planner planner, Choices choices, String... words) {
+        assertThatThrownBy(() -> plan(planner, choices, VisibleRange.all()))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContainingAll(words);
+    }
+
     private static List<String> warnings(Choices choices) {
         return plan(400e-9, choices).warnings().stream()
                 .map(line -> line.in(Origin.PROGRAM))
@@ -158,12 +152,9 @@ class PlannerTest {
 
     /** Of a sine on 3.2 um. */
     private static Planner planner(double relief) {
-        return planner(Surfaces.of(
-                64, 64, PITCH, (x, y) -> relief / 2 * Math.sin(2 * Math.PI * (3 * x + y) / (64 * PITCH))));
-    }
-
-    private static Planner planner(HeightMap map) {
-        return planner(map, MUCH_MEMORY);
+        return planner(
+                Surfaces.of(64, 64, PITCH, (x, y) -> relief / 2 * Math.sin(2 * Math.PI * (3 * x + y) / (64 * PITCH))),
+                MUCH_MEMORY);
     }
 
     private static Planner planner(HeightMap map, long heap) {
@@ -173,44 +164,38 @@ class PlannerTest {
     @Test
     void moreStepsThanDriversTakeAreRefusedBeforeAnythingIsComputed() {
         Choices many = STANDARD.with(COHERENCE_LENGTH, 1e-6).with(WAVELENGTH_STEP, 0.05e-9);
-
-        assertThatThrownBy(() -> plan(planner(400e-9), many, VisibleRange.all()))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContainingAll("steps a pixel", "more than 60,000");
+        assertRefused(planner(400e-9), many, "steps a pixel", "more than 60,000");
         // Shaders do not sum colors along rays.
         Planner ofTables = planner(400e-9).ofTables(Average.ENSEMBLE);
         SpectrumPlan plan = plan(ofTables, many.with(AVERAGE, Average.ENSEMBLE), VisibleRange.all());
         assertThat(plan.sampling().loopSteps(plan)).isGreaterThan(Sampling.MOST_LOOP_STEPS);
-        Planner ofShaders = planner(400e-9);
-        assertThat(ofShaders.ofTables(Average.COHERENT)).isSameAs(ofShaders);
+        assertRefused(planner(400e-9).ofTables(Average.COHERENT), many, "steps a pixel");
     }
 
     @ParameterizedTest
     @CsvSource({"156e-6, 65e-6", "156e-6, 140e-6", "369e-6, 65e-6", "369e-6, 140e-6"})
     void aLineOfManySamplesIsSummedUnderLongWindowsToo(double width, double coherenceLength) {
         HeightMap line = Surfaces.random(8192, 1, width / 8192, 400e-9, 5);
-        SpectrumPlan plan = plan(planner(line), STANDARD.with(COHERENCE_LENGTH, coherenceLength), VisibleRange.all());
-        assertThat(plan.sampling()).isInstanceOf(OrderSampling.class);
+        Choices choices = STANDARD.with(COHERENCE_LENGTH, coherenceLength);
+        assertThat(plan(planner(line, MUCH_MEMORY), choices, VisibleRange.all()).sampling())
+                .isInstanceOf(OrderSampling.class);
     }
 
     @Test
     void reliefsBeyondAnyExpansionAreRefused() {
         HeightMap tall = Surfaces.random(32, 32, 1e-6, 100e-6, 5);
-
-        assertThatThrownBy(() -> plan(planner(tall), STANDARD, VisibleRange.all()))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("rad, more than 800; method reference");
+        assertRefused(planner(tall, MUCH_MEMORY), STANDARD, "rad, more than 800; method reference");
     }
 
     private static final int SIDE = 64;
     private static final double WIDTH = 12e-6;
     private static final double PERIOD = 1e-6;
     private static final double RELIEF = 100e-9;
+    private final SplittableRandom random = new SplittableRandom(8);
 
     @Test
     void roughSurfacesAreMeasuredInAllDirections() {
-        SplittableRandom random = new SplittableRandom(8);
-        Roughness roughness = measured(RELIEF, sample -> random.nextGaussian(), WIDTH);
+        Roughness roughness = measured(sample -> random.nextGaussian(), WIDTH);
         assertTrue(roughness.isRough() && !roughness.areOrdersIsolated());
         // White noise of a phase of radians scatters everywhere; grazing directions, with small w, leave more in the
         // mirror direction.
@@ -220,22 +205,19 @@ class PlannerTest {
 
     @Test
     void betweenTheOrdersOfAGratingItIsDark() {
-        Roughness grating =
-                measured(RELIEF, sample -> Math.sin(2 * Math.PI * (sample % SIDE) * WIDTH / SIDE / PERIOD), WIDTH);
+        Roughness grating = measured(sample -> Math.sin(2 * Math.PI * (sample % SIDE) * WIDTH / SIDE / PERIOD), WIDTH);
         assertTrue(grating.areOrdersIsolated() && !grating.isRough(), grating.toString());
     }
 
     @Test
     void windowsOfFewDeviationsHaveNoRoughness() {
-        SplittableRandom random = new SplittableRandom(8);
-        Roughness narrow = measured(RELIEF, sample -> random.nextGaussian(), WIDTH / 4);
-        assertEquals(Roughness.NONE, narrow);
-        assertFalse(narrow.isRough());
+        assertEquals(Roughness.NONE, measured(sample -> random.nextGaussian(), WIDTH / 4));
+        assertFalse(Roughness.NONE.isRough());
     }
 
-    private static Roughness measured(double relief, IntToDoubleFunction shape, double coherenceLength) {
+    private static Roughness measured(IntToDoubleFunction shape, double coherenceLength) {
         return Roughness.measure(
-                Surfaces.sampled(SIDE, SIDE, WIDTH / SIDE, (x, y) -> relief * shape.applyAsDouble(y * SIDE + x)),
+                Surfaces.sampled(SIDE, SIDE, WIDTH / SIDE, (x, y) -> RELIEF * shape.applyAsDouble(y * SIDE + x)),
                 CoherenceWindow.ofCoherenceLength(coherenceLength),
                 WindowOrigin.CENTRE,
                 VisibleRange.all(),

@@ -16,7 +16,6 @@ class UnitsTest {
         "65 um, 65e-6",
         "65 \u00b5m, 65e-6",
         "65\u03bcm, 65e-6",
-        "375nm, 375e-9",
         "818.69 nm, 818.69e-9",
         "2.5e-6 m, 2.5e-6",
         "1mm, 1e-3",
@@ -34,13 +33,10 @@ class UnitsTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', emptyValue = "", textBlock = """
             65         | has no unit
-            2.5e-6     | has no unit
-            ' 375 '    | has no unit
+            ' 2.5e-6 ' | has no unit
             65 inch    | pm, nm, um, mm, cm or m
             65 Um      | pm, nm, um, mm, cm or m
-            1e5um2     | pm, nm, um, mm, cm or m
             20,5um     | is no length; write a decimal point for the comma, "20.5um"
-            0,3 m      | is no length
             ''         | is no length
             um         | is no length
             NaN um     | is no length
@@ -67,11 +63,8 @@ class UnitsTest {
     @ParameterizedTest
     @CsvSource({
         "65e-6, 65 um",
-        "375e-9, 375 nm",
         "818.69e-9, 818.69 nm",
-        "2.5e-6, 2.5 um",
         "1e-3, 1 mm",
-        "0.1, 100 mm",
         "0.3, 300 mm",
         "12, 12 m",
         "999.9999e-9, 1 um",
