@@ -15,6 +15,8 @@ import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -140,12 +142,10 @@ class MethodsTest {
 
     private static List<DirectionPair> pairs(double middle) {
         Direction light = new Direction(0, 0, 1);
-        return List.of(
-                new DirectionPair(light, Direction.ofDegrees(40, 0)),
-                new DirectionPair(light, Direction.ofDegrees(middle, 200)),
-                new DirectionPair(light, Direction.ofDegrees(40, 180)),
-                new DirectionPair(light, Direction.ofDegrees(40, 90)),
-                new DirectionPair(light, Direction.ofDegrees(40, 270)));
+        Stream<Direction> border = DoubleStream.of(0, 90, 180, 270).mapToObj(phi -> Direction.ofDegrees(40, phi));
+        return Stream.concat(border, Stream.of(Direction.ofDegrees(middle, 200)))
+                .map(viewer -> new DirectionPair(light, viewer))
+                .toList();
     }
 
     /** Both use texels of the coarsest table, but refined tables contain only one list's tiles. */

@@ -3,24 +3,21 @@ package sunbeam.precompute.plan;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
 
 import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.GridSampling.TermsLayout;
 import sunbeam.precompute.plan.MethodSettings.Preset;
-import sunbeam.precompute.plan.Sampling.BinSampling;
-import sunbeam.precompute.plan.Sampling.OrderSampling;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
@@ -33,47 +30,45 @@ class SamplingTablesTest {
     private static final CieTable CIE = CieTable.load();
 
     /** Coherence lengths that lead to each kind of sampling, and the thesis's. */
-    static Stream<Arguments> forms() {
-        return Stream.of(MethodUse.values())
-                .flatMap(use -> Stream.of(
-                        Arguments.of(OrderSampling.class, Preset.NONE, 65e-6, use),
-                        Arguments.of(OrderSampling.class, Preset.NONE, 10e-6, use),
-                        Arguments.of(GridSampling.class, Preset.NONE, 3.2e-6, use),
-                        Arguments.of(BinSampling.class, Preset.THESIS, 3.2e-6, use)));
-    }
-
     @ParameterizedTest
-    @MethodSource("forms")
-    void tablesHaveTheShapesThatWerePlannedAndTakeNoMore(
-            Class<?> form, Preset preset, double coherenceLength, MethodUse use) {
+    @CsvSource({
+        "OrderSampling, NONE, 65e-6",
+        "OrderSampling, NONE, 10e-6",
+        "GridSampling, NONE, 3.2e-6",
+        "BinSampling, THESIS, 3.2e-6"
+    })
+    void tablesHaveTheShapesThatWerePlannedAndTakeNoMore(String form, Preset preset, double coherenceLength) {
         SpectrumPlan plan = plan(preset, coherenceLength, Average.COHERENT);
-        assertThat(plan.sampling()).isInstanceOf(form);
-        ShaderTables tables = tables(plan, use);
-        // The number of an ensemble's terms is an estimate.
-        List<ArrayLayout> planned = plan.layouts(use).stream()
-                .filter(layout -> !layout.sampler().startsWith("ensemble"))
-                .toList();
-        assertThat(tables.arrays())
-                .extracting(TableArray::layout)
-                .filteredOn(layout -> !layout.sampler().startsWith("ensemble"))
-                .containsExactlyInAnyOrderElementsOf(planned);
-        for (TableArray array : tables.arrays()) {
-            int last = array.layout().layers() - 1;
-            assertThat(array.layer(last).remaining()).isEqualTo(array.layout().floatsPerLayer());
-        }
+        assertThat(plan.sampling().getClass().getSimpleName()).isEqualTo(form);
         SpectrumPlan ensemble = plan(preset, coherenceLength, Average.ENSEMBLE);
         long most = MemoryNeed.of(ensemble, SKIN.rows()).textureBytes();
-        assertThat(tables(ensemble, use).bytes()).isLessThanOrEqualTo(most);
+        for (MethodUse use : MethodUse.values()) {
+            ShaderTables tables = tables(plan, use);
+            // The number of an ensemble's terms is an estimate.
+            List<ArrayLayout> planned = plan.layouts(use).stream()
+                    .filter(layout -> !layout.sampler().startsWith("ensemble"))
+                    .toList();
+            assertThat(tables.arrays())
+                    .extracting(TableArray::layout)
+                    .filteredOn(layout -> !layout.sampler().startsWith("ensemble"))
+                    .containsExactlyInAnyOrderElementsOf(planned);
+            for (TableArray array : tables.arrays()) {
+                int last = array.layout().layers() - 1;
+                assertThat(array.layer(last).remaining())
+                        .isEqualTo(array.layout().floatsPerLayer());
+            }
+            assertThat(tables(ensemble, use).bytes()).isLessThanOrEqualTo(most);
+        }
     }
 
     private static SpectrumPlan plan(Preset preset, double coherenceLength, Average average) {
-        boolean thesis = preset == Preset.THESIS;
-        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
+        Choices choices = Choices.none()
+                .with(PRESET, preset)
+                .with(COHERENCE_LENGTH, coherenceLength)
+                .with(AVERAGE, average);
+        VisibleRange map = VisibleRange.of(new Direction(0, 0, 1));
         return new Planner(HeightLevels.of(SKIN), CIE, Roughness.Cache.NONE)
-                .plan(
-                        thesis ? TableChoices.THESIS : TableChoices.within(ErrorBudget.STANDARD),
-                        new GaussianArea(window, WindowOrigin.CENTRE, average),
-                        VisibleRange.of(new Direction(0, 0, 1)));
+                .plan(new TableChoices(choices), GaussianArea.of(choices), map);
     }
 
     private static ShaderTables tables(SpectrumPlan plan, MethodUse use) {
