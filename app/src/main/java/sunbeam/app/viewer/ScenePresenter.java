@@ -112,9 +112,9 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         }
         map.follow(shows(Overlay.MAP));
         ViewState next = new ViewState(model.loaded().get(), width, height, false);
-        if (requested != null && next.showsThePictureOf(requested)) { // as after a pick
-            finished().ifPresent(whole -> viewer.inspector.measure());
+        if (requested != null && next.showsThePictureOf(requested)) { // as after a pick or a refused load
             map.request(finished().isPresent());
+            finished().ifPresent(whole -> followFinal());
             return;
         }
         requested = next;
@@ -252,14 +252,18 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         viewer.journal.reached("final picture");
         completed = finished;
         finalPicture.complete(null);
-        viewer.files.writeWaiting();
-        viewer.inspector.measure();
+        followFinal();
         if (state == requested) {
             map.request(true);
             window.status.complete(finished.nanoseconds());
             requestStrokes();
             splitView.begin(finished);
         }
+    }
+
+    private void followFinal() {
+        viewer.files.writeWaiting();
+        viewer.inspector.measure();
     }
 
     private void show(ViewState state, BufferedImage image) {

@@ -84,8 +84,13 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         refused("unit.json", descriptor("gone.png", "3 parsec"), "gone.png");
         refused("image.json", descriptor("image.json", "3 um"), "image.json");
         Path folderItself = Files.createDirectory(folder.resolve("folder.json"));
-        load(folderItself);
+        Path saved = folder.resolve("saved.png");
+        onEvents(() -> {
+            viewer.files.loadPatch(folderItself);
+            viewer.files.savePicture(saved);
+        });
         awaitComplaint("folder.json", "folder.json");
+        await(() -> Files.exists(saved));
         awaitFinal();
         assertThat(modelScene()).isEqualTo(scene());
         assertThat(onEvents(() -> control("patch", JComboBox.class).getSelectedItem()))
