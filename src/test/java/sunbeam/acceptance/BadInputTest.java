@@ -158,6 +158,7 @@ class BadInputTest extends InWorkplace {
         assumeTrue(isHere, "skipped: no /proc, where no files can be made, or no /dev/full, which is always full");
         List<String> before = workplace.files();
 
+        // Tables may be in the cache: a full disk shows at the end.
         workplace.here(commandLine + " --patch blaze").complains(SunbeamResult.CANNOT_WRITE, words.split(" / "));
 
         assertThat(workplace.files()).isEqualTo(before);
@@ -187,10 +188,7 @@ class BadInputTest extends InWorkplace {
     })
     void anOutputThatExistsIsRefusedBeforeThePatchIsRead(String commandLine, String taken) throws Exception {
         Files.createFile(workplace.resolve(taken));
-        List<String> before = workplace.files();
-
-        workplace.here(commandLine).complainsThatItExists(taken);
-        assertThat(workplace.files()).isEqualTo(before);
+        assertRefused(SunbeamResult.OUTPUT_EXISTS, commandLine, "cannot write " + taken + ": it exists; add --force");
     }
 
     /** The system refuses to let a file grow beyond 8 MB: the picture fits, the 12 MB of linear colors do not. */

@@ -20,7 +20,8 @@ import sunbeam.app.files.input.PngText;
 class OutputTest extends InWorkplace {
     @Test
     void withoutAnyChoiceItDrawsTheDefaultPatchAndSaysWhere() throws Exception {
-        SunbeamResult result = workplace.succeed("brdf-map --size 48 --no-annotate");
+        SunbeamResult result =
+                workplace.command("brdf-map --size 48 --no-annotate").run().ended(0);
 
         assertThat(result.stdout()).isEqualTo("brdf-elaphe-like.png\n");
         assertThat(result.stderr()).startsWith("plan: ");

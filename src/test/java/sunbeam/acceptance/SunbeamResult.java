@@ -28,11 +28,6 @@ public record SunbeamResult(String commandLine, int exitCode, String stdout, Str
         return stderr.replaceFirst("(?m)^plan: .*\n", "").replaceAll("(?m)^sunbeam: .* \\d+% \\[.*\n", "");
     }
 
-    /** Fails unless the program refused to overwrite a file, in one line that names it and the remedy. */
-    public void complainsThatItExists(String file) {
-        complains(OUTPUT_EXISTS, "cannot write " + file + ": it exists; add --force");
-    }
-
     /** Fails unless the program complained with this exit code, in one line with all of these words; a plan may precede it. */
     public void complains(int code, String... words) {
         ended(code);

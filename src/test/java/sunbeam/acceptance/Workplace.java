@@ -54,10 +54,6 @@ public record Workplace(Path folder, Path caches) {
                 .without("SUNBEAM_DEBUG");
     }
 
-    public SunbeamResult succeed(String commandLine) throws IOException, InterruptedException {
-        return command(commandLine).run().ended(0);
-    }
-
     /**
      * Runs a command line in this process, at a tenth of the cost of a start. File names refer to the folder, also in the result.
      *

@@ -191,11 +191,10 @@ final class SettingRows extends JPanel {
         static final Scale STOPS = new Scale(
                 step -> Math.pow(2, step / 3),
                 factor -> 3 * Math.log(Math.max(1e-9, factor)) / Math.log(2),
-                factor -> toPlainString(new BigDecimal(factor).round(new MathContext(3))));
-
-        private static String toPlainString(BigDecimal number) {
-            return number.stripTrailingZeros().toPlainString();
-        }
+                factor -> new BigDecimal(factor)
+                        .round(new MathContext(3))
+                        .stripTrailingZeros()
+                        .toPlainString());
 
         private static Scale angles(int stepsPerDegree) {
             return new Scale(
