@@ -21,19 +21,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 final class ReportSchemaTest extends CommandLineFixture {
     private static final Path SCHEMA = Path.of("../docs/reference/report.schema.json");
 
-    private static final String SCENE = """
-            {
-              "mesh": "sphere",
-              "patch": "blaze",
-              "camera": { "position": ["0 m", "-20 cm", "45 cm"], "lookAt": ["0 m", "0 m", "0 m"] },
-              "light": { "direction": [-0.2, 0.3, 0.9] },
-              "texture": "none",
-              "roughness": "0 deg",
-              "plan": { "method": "full", "tolerance": 0.05 },
-              "weights": { "diffraction": 30, "texture": 0.6, "ambient": 0.3 }
-            }
-            """;
-
     private final ObjectMapper json = new ObjectMapper();
 
     @BeforeEach

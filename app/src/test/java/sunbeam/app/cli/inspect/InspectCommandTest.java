@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.SplittableRandom;
+import java.util.function.DoubleUnaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,15 +22,6 @@ import sunbeam.app.terminal.ExitCode;
 final class InspectCommandTest extends CommandLineFixture {
     private String picture() {
         return folder.resolve("sheet.png").toString();
-    }
-
-    private void image(String name, int width, int height, int levels, long seed) throws IOException {
-        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_BYTE_GRAY);
-        int[] samples = new SplittableRandom(seed)
-                .ints((long) width * height, 0, levels)
-                .toArray();
-        image.getRaster().setPixels(0, 0, width, height, samples);
-        ImageIO.write(image, "png", folder.resolve(name).toFile());
     }
 
     @Test
@@ -76,8 +68,9 @@ final class InspectCommandTest extends CommandLineFixture {
 
     @Test
     void noiseHasNoPeriodAndTheFigureSaysWhy() throws IOException {
-        image("noise.png", 300, 200, 256, 7);
-        assertSuccess(sunbeam("inspect @noise.png --width 60um --max-height 100nm --output @sheet.png"));
+        SplittableRandom random = new SplittableRandom(7);
+        scan("noise.txt", "", 300, 200, (column, row) -> 100 * random.nextDouble());
+        assertSuccess(sunbeam("inspect @noise.txt --width 60um --height-unit nm --output @sheet.png"));
         assertThat(out.toString()).startsWith("No order found: a white gloss without color");
         // Samples are 200 nm apart: the loader's warning and the table say so.
         assertThat(err.toString()).contains("sampling too coarse");
@@ -88,9 +81,9 @@ final class InspectCommandTest extends CommandLineFixture {
     void flatAndThinPatchesHaveSheetsToo() throws IOException {
         int[][] sizes = {{300, 1}, {1, 300}, {40, 30}};
         for (int[] size : sizes) {
-            image("flat.png", size[0], size[1], 1, 1);
-            int code = sunbeam(
-                    "inspect @flat.png --max-height 100nm --output @sheet.png --force --width " + size[0] * 50 + "nm");
+            scan("flat.txt", "", size[0], size[1], (column, row) -> 0);
+            String width = " --columns " + size[0] + " --width " + size[0] * 50 + "nm";
+            int code = sunbeam("inspect @flat.txt --height-unit nm --output @sheet.png --force" + width);
             // A mirror is most likely a mistake, so the exit code is 3.
             assertThat(code).as("%s x %s: %s", size[0], size[1], err).isEqualTo(3);
             assertThat(out.toString()).startsWith("A mirror: ").contains("relief 0 m");
@@ -139,12 +132,8 @@ final class InspectCommandTest extends CommandLineFixture {
     /** With a wrong unit the relief is too deep for any other command. */
     @Test
     void aScanThatCannotBeDrawnIsInspected() throws IOException {
-        scan(
-                "scan.txt",
-                "",
-                128,
-                64,
-                (column, row) -> 500 * Math.sin(2 * Math.PI * column / 16) + 100 * Math.sin(2 * Math.PI * row / 13));
+        DoubleUnaryOperator wave = periods -> Math.sin(2 * Math.PI * periods);
+        scan("scan.txt", "", 128, 64, (x, y) -> 500 * wave.applyAsDouble(x / 16) + 100 * wave.applyAsDouble(y / 13));
         inspectScan(0, " --explain --width 2mm");
         assertThat(err.toString()).doesNotContain("likely");
         assertThat(out.toString())

@@ -27,6 +27,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** Evaluates methods, given as command-line options, on one patch. */
@@ -84,24 +85,26 @@ final class MethodProbe {
     private List<float[]> evaluate(Stream<Query> stream, MethodUse use, String options) {
         List<Query> queries = stream.toList();
         List<DirectionPair> pairs = queries.stream().map(Query::pair).distinct().toList();
-        try (RenderContext context = RenderContext.offscreen();
-                UploadedTables method = upload(context, plan(VisibleRange.of(pairs), options), use);
-                DirectionsRenderer renderer = new DirectionsRenderer(context, method, use == MethodUse.SPECTRAL)) {
-            return renderer.evaluate(queries, count -> {});
-        }
+        ShaderTables tables = setup.tables(plan(VisibleRange.of(pairs), options), use);
+        return evaluate(queries, tables, use == MethodUse.SPECTRAL);
     }
 
-    private UploadedTables upload(RenderContext context, MethodPlan plan, MethodUse use) {
-        return UploadedTables.upload(context, setup.tables(plan, use));
+    static List<float[]> evaluate(List<Query> queries, ShaderTables tables, boolean isSpectral) {
+        try (RenderContext context = RenderContext.offscreen();
+                UploadedTables method = UploadedTables.upload(context, tables);
+                DirectionsRenderer renderer = new DirectionsRenderer(context, method, isSpectral)) {
+            return renderer.evaluate(queries, count -> {});
+        }
     }
 
     /** Asserts that each pixel in the disc of a map has a color; its size is odd, so that the middle one is u = v = 0. */
     void assertMapHasColors(String options) {
         int size = 21;
         Direction normal = new Direction(0, 0, 1);
+        ShaderTables tables = setup.tables(plan(VisibleRange.of(normal), options), MethodUse.COLOR);
         LinearPicture map;
         try (RenderContext context = RenderContext.offscreen();
-                UploadedTables method = upload(context, plan(VisibleRange.of(normal), options), MethodUse.COLOR);
+                UploadedTables method = UploadedTables.upload(context, tables);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
             map = renderer.render(normal, pixels -> {});
         }

@@ -129,15 +129,6 @@ class PeriodicMethodsTest {
         assertThat(nmm.get(0)[1]).isLessThan(0.1f);
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"blaze", "disc"})
-    void noPixelOfAMapIsWithoutAColor(String patch) {
-        MethodProbe probe = new MethodProbe(home, "--patch " + patch);
-        for (String more : new String[] {"", " --average ensemble", " --preset thesis"}) {
-            probe.assertMapHasColors("--method nmm" + more);
-        }
-    }
-
     @Test
     void colorsFollowTheGratingEquation() {
         // Spacing 1 um: the first order of 460 nm, 560 nm and 680 nm, and the dark between the orders.
@@ -260,11 +251,15 @@ class PeriodicMethodsTest {
         }
     }
 
+    /** The middle pixel is exactly u = v = 0, where both sines of the array factor of method pq vanish. */
     @ParameterizedTest
-    @ValueSource(strings = {"sinc", "linear"})
-    void theArrayFactorHasItsLimitInTheMiddleOfAMap(String interpolation) {
-        // The middle pixel is exactly u = v = 0, where both sines of the array factor vanish.
-        blaze.assertMapHasColors("--method pq --interpolation " + interpolation);
+    @CsvSource({
+        "blaze, nmm", "blaze, nmm --average ensemble", "blaze, nmm --preset thesis",
+        "disc, nmm", "disc, nmm --average ensemble", "disc, nmm --preset thesis",
+        "blaze, pq --interpolation sinc", "blaze, pq --interpolation linear"
+    })
+    void noPixelOfAMapIsWithoutAColor(String patch, String method) {
+        new MethodProbe(home, "--patch " + patch).assertMapHasColors("--method " + method);
     }
 
     @Test

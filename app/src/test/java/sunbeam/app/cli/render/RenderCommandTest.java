@@ -30,18 +30,6 @@ import sunbeam.app.terminal.ExitCode;
 
 @NeedsDisplay
 class RenderCommandTest extends CommandLineFixture {
-    private static final String SCENE = """
-            {
-              "mesh": "plane",
-              "patch": "blaze",
-              "camera": { "position": ["-5 cm", "-10 cm", "40 cm"], "lookAt": ["0 m", "0 m", "0 m"] },
-              "light": { "direction": [-0.2, 0.3, 0.9] },
-              "texture": "none",
-              "plan": { "method": "full", "tolerance": 0.05 },
-              "weights": { "diffraction": 30, "texture": 0.2, "ambient": 0.1 }
-            }
-            """;
-
     private Path scene;
 
     @BeforeEach
