@@ -28,6 +28,7 @@ import sunbeam.app.cli.options.PictureSize;
 import sunbeam.app.cli.options.Range;
 import sunbeam.app.cli.orders.OrdersCommand;
 import sunbeam.app.cli.reflectance.ReflectanceCommand;
+import sunbeam.app.cli.render.AnimationOptions.Sweep;
 import sunbeam.app.cli.render.RenderCommand;
 import sunbeam.app.cli.sample.SampleCommand;
 import sunbeam.app.files.output.OutputException;
@@ -158,6 +159,7 @@ public final class Sunbeam {
         root.setCaseInsensitiveEnumValuesAllowed(true);
         root.registerConverter(Range.class, Range::parse);
         root.registerConverter(PictureSize.class, PictureSize::parse);
+        root.registerConverter(Sweep.class, Sweep::parse);
         root.getSubcommands().values().forEach(sub -> CommandHelp.install(sub, completeHelp));
         describe(root);
         root.getCommandSpec()

@@ -56,10 +56,7 @@ public final class ViewCommand extends ReportingCommand {
                 measure != null && !(measure >= SHORTEST_MEASUREMENT && measure <= LONGEST_MEASUREMENT),
                 "--measure " + measure + " is out of range; give 1 to 600 seconds");
         Scene first = Scenes.load(scene);
-        Consumer<String> warning = line -> {
-            err().println(line);
-            err().flush();
-        };
+        Consumer<String> warning = err()::println;
         Dimension pictureSize = size == null ? null : new Dimension(size.width(), size.height());
         if (measure == null) {
             Viewer.show(first, environment(), warning, pictureSize);

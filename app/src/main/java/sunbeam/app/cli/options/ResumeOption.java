@@ -120,10 +120,7 @@ public final class ResumeOption {
                 .map(text -> text.getOrDefault(EXIT_CODE, ""))
                 .filter(number -> number.matches("\\d{1,3}"))
                 .map(Integer::valueOf);
-        code.ifPresent(kept -> {
-            err.println(Messages.note(picture + " was made with the same options: kept"));
-            err.flush();
-        });
+        code.ifPresent(kept -> err.println(Messages.note(picture + " was made with the same options: kept")));
         return code;
     }
 }

@@ -2,7 +2,6 @@ package sunbeam.app.cli.render;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.scene.Motion;
@@ -17,7 +16,6 @@ public final class AnimationOptions {
     @Option(
             names = "--light-sweep",
             paramLabel = "FROM:TO",
-            converter = SweepConverter.class,
             description = "Frames with the light turned about the vertical by angles FROM to TO in degrees,"
                     + " counter-clockwise seen from above, 0 being where the scene has it. A whole turn leaves its last"
                     + " angle out.")
@@ -39,20 +37,9 @@ public final class AnimationOptions {
     private Double frameRate;
 
     /** Equally spaced angles, radians. */
-    record Sweep(double from, double to) {
-
-        /** Returns the angle of a frame, counted from 0. Whole turns leave out the last angle, the same as the first, to loop smoothly. */
-        double at(int frame, int frames) {
-            double turns = (to - from) / (2 * Math.PI);
-            boolean whole = Math.abs(turns) > 0.5 && Math.abs(turns - Math.rint(turns)) < 1e-9;
-            int steps = whole ? frames : frames - 1;
-            return steps == 0 ? from : from + (to - from) * frame / steps;
-        }
-    }
-
-    static final class SweepConverter implements ITypeConverter<Sweep> {
-        @Override
-        public Sweep convert(String text) {
+    public record Sweep(double from, double to) {
+        /** Parses {@code FROM:TO}, in degrees unless they name a unit. */
+        public static Sweep parse(String text) {
             String[] parts = text.split(":", -1);
             if (parts.length != 2) {
                 throw new TypeConversionException(
@@ -63,6 +50,14 @@ public final class AnimationOptions {
             } catch (IllegalArgumentException failure) {
                 throw new TypeConversionException(failure.getMessage());
             }
+        }
+
+        /** Returns the angle of a frame, counted from 0. Whole turns leave out the last angle, the same as the first, to loop smoothly. */
+        double at(int frame, int frames) {
+            double turns = (to - from) / (2 * Math.PI);
+            boolean whole = Math.abs(turns) > 0.5 && Math.abs(turns - Math.rint(turns)) < 1e-9;
+            int steps = whole ? frames : frames - 1;
+            return steps == 0 ? from : from + (to - from) * frame / steps;
         }
     }
 
