@@ -136,12 +136,9 @@ public final class EnergyDivisor {
         }
 
         public Optional<String> warning() {
-            return ratio <= LARGEST
-                    ? Optional.empty()
-                    : Optional.of(Text.format(
-                            "at %.0f nm the model reflects %.2f times the light of a mirror, because of orders near the horizon,"
-                                    + " where scalar theory does not conserve energy (docs/theory.md)",
-                            wavelength * 1e9, ratio));
+            String words = "at %.0f nm the model reflects %.2f times the light of a mirror, because of orders near the"
+                    + " horizon, where scalar theory does not conserve energy (docs/theory.md)";
+            return Optional.of(Text.format(words, wavelength * 1e9, ratio)).filter(large -> ratio > LARGEST);
         }
     }
 }

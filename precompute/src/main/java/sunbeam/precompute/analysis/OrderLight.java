@@ -91,10 +91,9 @@ public record OrderLight(
                 return new Efficiency(power, power, power);
             }
             double[] parts = parts();
-            if (parts.length < 2) {
-                return new Efficiency(power, Double.NaN, Double.NaN);
-            }
-            double half = GratingPeriod.student(parts.length - 1) * Math.sqrt(StatUtils.variance(parts) / parts.length);
+            double half = parts.length < 2
+                    ? Double.NaN
+                    : GratingPeriod.student(parts.length - 1) * Math.sqrt(StatUtils.variance(parts) / parts.length);
             return new Efficiency(power, Math.max(0, power - half), power + half);
         }
     }
@@ -236,11 +235,9 @@ public record OrderLight(
 
         /** Cycles per meter; the order leaves along wr = -wi + lambda times this. */
         SpatialFrequency frequency(Order order) {
-            double x = order.m * first.x()
-                    + second.map(other -> order.n * other.x()).orElse(0.0);
-            double y = order.m * first.y()
-                    + second.map(other -> order.n * other.y()).orElse(0.0);
-            return new SpatialFrequency(x, y);
+            SpatialFrequency alongSecond =
+                    second.map(other -> other.times(order.n)).orElse(new SpatialFrequency(0, 0));
+            return alongSecond.plus(first.times(order.m));
         }
 
         /** Returns the largest number of orders above the horizon at a wavelength in meters, one more or less. */

@@ -60,9 +60,8 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
             return new Verdict(code, why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1), List.of());
         }
         boolean lattice = period.isLattice();
-        Code seen = period.isSure()
-                ? lattice ? Code.LATTICE : Code.SURE_GRATING
-                : lattice ? Code.PROBABLE_LATTICE : Code.PROBABLE_GRATING;
+        Code sure = lattice ? Code.LATTICE : Code.SURE_GRATING;
+        Code seen = period.isSure() ? sure : lattice ? Code.PROBABLE_LATTICE : Code.PROBABLE_GRATING;
         double mirror = Math.abs(Math.sin(Math.toRadians(theta)));
         boolean finer = VIOLET / (period.isSure() ? period.high() : period.period()) - mirror >= 1;
         List<Band> firstOrders = firstOrders(period, theta);

@@ -44,8 +44,9 @@ public final class PatchLoader {
             return false;
         }
         try (ScanBytes bytes = ScanBytes.open(file)) {
-            Optional<ScanFormat> reader = ScanFormat.find(bytes, Optional.empty());
-            return reader.filter(format -> !format.isPicture()).isPresent();
+            return ScanFormat.find(bytes, Optional.empty())
+                    .filter(format -> !format.isPicture())
+                    .isPresent();
         } catch (ScanException | IOException unreadable) {
             return false;
         }

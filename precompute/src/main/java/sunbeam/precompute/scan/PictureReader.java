@@ -155,14 +155,13 @@ final class PictureReader {
     }
 
     private static Samples withoutTransparent(Samples color, Optional<Samples> alpha) {
-        return alpha.isEmpty()
-                ? color
-                : new Samples(color.columns(), color.rows(), () -> {
-                    double[] samples = color.read();
-                    double[] opacity = alpha.get().read();
-                    Arrays.setAll(samples, i -> opacity[i] == 0 ? Double.NaN : samples[i]);
-                    return samples;
-                });
+        Samples.Source opaque = () -> {
+            double[] samples = color.read();
+            double[] opacity = alpha.orElseThrow().read();
+            Arrays.setAll(samples, i -> opacity[i] == 0 ? Double.NaN : samples[i]);
+            return samples;
+        };
+        return alpha.isEmpty() ? color : new Samples(color.columns(), color.rows(), opaque);
     }
 
     /**
@@ -211,8 +210,7 @@ final class PictureReader {
         if (bands.size() < colors) {
             throw new ScanException("has " + bands.size() + " channels where 3 colors are announced; export it again");
         }
-        boolean hasAlpha = extra == ALPHA && bands.size() > colors;
-        Optional<Samples> alpha = hasAlpha ? Optional.of(bands.get(colors)) : Optional.empty();
+        Optional<Samples> alpha = bands.stream().skip(colors).findFirst().filter(band -> extra == ALPHA);
         String prefix = several ? "page " + (page.index() + 1) + " " : "";
         String ofSamples = page.isFloat() ? "" : ScanChannel.FULL_SCALE;
         return channels(prefix, bands.subList(0, colors), alpha, extent(page, unit, bands.get(0)), ofSamples);

@@ -19,15 +19,15 @@ public record ScanFormat(String name, Reading<Boolean> check, Reading<List<ScanC
                     "\\*File list",
                     "\\*EC File list",
                     "\\*Force file list"),
-            ScanFormat.of("Nanosurf (.nid)", TextHeaderReaders::nanosurf, "[DataSet]"),
-            new ScanFormat("WSxM", TextHeaderReaders::isWsxm, TextHeaderReaders::wsxm),
-            ScanFormat.of("Molecular Imaging (.mi)", TextHeaderReaders::agilent, "fileType      Image"),
+            ScanFormat.of("Nanosurf (.nid)", InstrumentReaders::nanosurf, "[DataSet]"),
+            new ScanFormat("WSxM", InstrumentReaders::isWsxm, InstrumentReaders::wsxm),
+            ScanFormat.of("Molecular Imaging (.mi)", InstrumentReaders::agilent, "fileType      Image"),
             ScanFormat.of("Digital Surf (.sur)", BinaryHeaderReaders::digitalSurf, "DIGITAL SURF", "DSCOMPRESSED"),
             new ScanFormat("ISO 25178-71 (.sdf)", SurfaceDataReaders::isSdf, SurfaceDataReaders::sdf),
             ScanFormat.of("NumPy (.npy)", BinaryHeaderReaders::numpy, "\u0093NUMPY"),
             new ScanFormat("ISO 25178-72 (.x3p)", SurfaceDataReaders::isX3p, SurfaceDataReaders::x3p),
-            new ScanFormat("JPK", TiffTagReaders::isJpk, TiffTagReaders::jpk),
-            new ScanFormat("Park Systems TIFF", TiffTagReaders::isPark, TiffTagReaders::park),
+            new ScanFormat("JPK", InstrumentReaders::isJpk, InstrumentReaders::jpk),
+            new ScanFormat("Park Systems TIFF", InstrumentReaders::isPark, InstrumentReaders::park),
             new ScanFormat("Igor binary wave (.ibw)", BinaryHeaderReaders::isIgorWave, BinaryHeaderReaders::igorWave));
 
     /**

@@ -155,12 +155,9 @@ public final class BuiltInPatches {
      */
     static final class RandomBumps {
         static final double HEIGHT = 150e-9;
-
         static final double PITCH = 62.5e-9;
         static final int COLUMNS = 8;
-
         static final int ROWS = 16;
-
         private static final int SAMPLES = 1024;
         private static final int BUMPS = 1024;
         private static final int SEED = 5;
