@@ -165,7 +165,7 @@ public final class Plausibility {
                 + " colors far from the specular direction, and false periods");
     }
 
-    static Optional<String> heightStep(double step) {
+    private static Optional<String> heightStep(double step) {
         if (step <= COARSEST_STEP) {
             return Optional.empty();
         }

@@ -15,7 +15,6 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.analysis.OrderLight.Efficiency;
 import sunbeam.precompute.analysis.OrderLight.OrderLattice;
 import sunbeam.precompute.analysis.OrderLight.OrderLattice.Order;
-import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
@@ -134,36 +133,6 @@ class OrderLightTest {
         Patch patch = new Patch("p", map, "p", List.of());
         assertThat(Verdict.of(patch, GratingPeriod.of(patch)).sentence())
                 .startsWith("A hexagonal lattice with a constant of 2.00 um");
-    }
-
-    @Test
-    void theEfficiencyIsTheIntegralOfTheBrdfOverTheOrder() {
-        double amplitude = 100e-9;
-        double wavelength = 550e-9;
-        Direction wi = Direction.ofDegrees(30, 50);
-        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(200e-6);
-        double sigma = window.sigmaFrequency() * wavelength;
-        Direction middle = pair(wi, wavelength, -2, 0).wr();
-        int steps = 20;
-        double sum = 0;
-        for (int i = -steps; i <= steps; i++) {
-            for (int j = -steps; j <= steps; j++) {
-                double dx = 4.0 * i / steps;
-                double dy = 4.0 * j / steps;
-                DirectionPair pair =
-                        new DirectionPair(wi, Direction.ofDisc(middle.x() + dx * sigma, middle.y() + dy * sigma));
-                double power =
-                        bessel(2, 2 * Math.PI / wavelength * pair.w() * amplitude) * Math.exp(-dx * dx - dy * dy);
-                // brdf cos theta_r d omega, with d omega = dx dy / cos theta_r.
-                sum += Gain.brdf(pair, window, wavelength) * power * Math.pow(4.0 / steps * sigma, 2);
-            }
-        }
-        double efficiency = light(grating((x, y) -> amplitude * Math.sin(2 * Math.PI * x / PERIOD)), wi, wavelength)
-                .efficiencies()
-                .get(new Order(-2, 0))
-                .value();
-        // Curvature of the factors over the order, which is 1/300 wide.
-        assertThat(sum).isCloseTo(efficiency, within(1e-4 * efficiency));
     }
 
     @Test

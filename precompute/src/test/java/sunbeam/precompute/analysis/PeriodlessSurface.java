@@ -13,7 +13,6 @@ enum PeriodlessSurface {
     WHITE,
     CORRELATED,
     FRACTAL,
-    BOW,
     DRIFT,
     ONE_STEP,
     TWO_STEPS,
@@ -41,7 +40,6 @@ enum PeriodlessSurface {
             case WHITE -> smoothed(columns, rows, 0, random);
             case CORRELATED -> smoothed(columns, rows, 1 + random.nextInt(8), random);
             case FRACTAL -> fractal(columns, rows, 1 + random.nextDouble(), random);
-            case BOW -> bow(columns, rows, random);
             case DRIFT -> along(columns, rows, random.nextDouble() * Math.PI, drift(random));
             case ONE_STEP -> along(columns, rows, random.nextDouble() * Math.PI, steps(1, random));
             case TWO_STEPS -> along(columns, rows, random.nextDouble() * Math.PI, steps(2, random));
@@ -85,20 +83,6 @@ enum PeriodlessSurface {
         return t -> IntStream.range(0, turns.length)
                 .mapToDouble(i -> Math.sin(Math.PI * turns[i] * t + phases[i]) / turns[i])
                 .sum();
-    }
-
-    private static double[] bow(int columns, int rows, SplittableRandom random) {
-        double x0 = random.nextDouble() - 0.5;
-        double y0 = random.nextDouble() - 0.5;
-        double ratio = 2 * random.nextDouble() - 1;
-        double[] heights = smoothed(columns, rows, 3, random);
-        for (int i = 0; i < heights.length; i++) {
-            double x = 2.0 * (i % columns) / columns - 1 - x0;
-            int row = i / columns;
-            double y = 2.0 * row / rows - 1 - y0;
-            heights[i] = 0.03 * heights[i] + x * x + ratio * y * y;
-        }
-        return heights;
     }
 
     /** White noise under three boxes of 2 r + 1 samples along each axis, to a variance of about 1. */

@@ -139,12 +139,6 @@ class PatchAssemblerTest {
         assertThat(Plausibility.pitch(map(2, 2, 50e-9, 96e-9)).orElseThrow()).contains("96 nm", "along y");
     }
 
-    @Test
-    void warnsOfGrayLevelsThatAreHighSteps() {
-        assertThat(Plausibility.heightStep(818.69e-9 / 255)).isEmpty();
-        assertThat(Plausibility.heightStep(5e-6 / 255).orElseThrow()).contains("19.6078 nm", "16-bit");
-    }
-
     /** More equal samples than a flat mirror needs. */
     @Test
     void refusesALargeFileWithoutAnyHeight() {

@@ -12,7 +12,6 @@ import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -134,13 +133,10 @@ class PatchLoaderTest {
 
         Patch patch = PatchRequests.load(file, WIDTH, "1um", MAX_HEIGHT, "1nm", LEVEL, "plane");
 
-        assertThat(patch.warnings()).hasSize(2);
         assertThat(patch.warnings().get(0)).contains("16 of 256 samples are missing");
         assertThat(patch.warnings().get(1)).contains("is a mirror");
         // The plane through the present samples fills the hole, too: rounding of heights of 200 nm remains.
         assertThat(patch.heights().relief()).isLessThan(1e-21);
-        assertThat(Arrays.stream(patch.heights().heights()).average().orElseThrow())
-                .isBetween(-1e-21, 1e-21);
     }
 
     /** Relative to the module's folder, in which tests run. */

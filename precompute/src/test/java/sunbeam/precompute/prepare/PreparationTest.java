@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
@@ -44,12 +45,12 @@ class PreparationTest {
     void rowsLoseTheirOffsetsAndNothingElse() {
         HeightMap lines = field(i -> 40e-9 * Math.sin(row(i)) + rough(i % COLUMNS));
         // Rows differ by their offsets only.
-        HeightMap level = Leveling.ROWS.apply(lines);
-        HeightMap median = Leveling.MEDIAN_ROWS.apply(lines);
-        for (int i = COLUMNS; i < level.heights().length; i++) {
-            // The plane under the offsets is the same for all rows along x: rounding of 1e-8 m remains.
-            assertThat(level.heights()[i]).isCloseTo(level.heights()[i - COLUMNS], within(1e-22));
-            assertThat(median.heights()[i]).isCloseTo(median.heights()[i - COLUMNS], within(1e-22));
+        for (Leveling leveling : List.of(Leveling.ROWS, Leveling.MEDIAN_ROWS)) {
+            double[] level = leveling.apply(lines).heights();
+            for (int i = COLUMNS; i < level.length; i++) {
+                // The plane under the offsets is the same for all rows along x: rounding of 1e-8 m remains.
+                assertThat(level[i]).isCloseTo(level[i - COLUMNS], within(1e-22));
+            }
         }
     }
 
@@ -266,9 +267,7 @@ class PreparationTest {
     void fillsHolesOfAnyShapeWithoutLeavingTheRangeOfHeights() {
         Random random = new Random(5);
         double[] heights = new double[61 * 47];
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] = random.nextInt(10) == 0 ? 1e-3 + random.nextDouble() : NAN;
-        }
+        Arrays.setAll(heights, i -> random.nextInt(10) == 0 ? 1e-3 + random.nextDouble() : NAN);
         double[] filled = MissingHeights.fill(map(61, 47, heights)).heights();
 
         double least = Arrays.stream(heights).filter(Double::isFinite).min().orElseThrow();
