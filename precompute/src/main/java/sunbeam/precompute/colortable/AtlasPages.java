@@ -27,7 +27,6 @@ public final class AtlasPages {
 
     private final List<TileGrid> grids;
     private final NumberFormat format;
-    private final TileGrid finest;
     // Direct buffers, which the garbage collector does not move.
     private final List<ByteBuffer> layers = new ArrayList<>();
     private final float[][] pageTable;
@@ -36,8 +35,7 @@ public final class AtlasPages {
     public AtlasPages(List<TileGrid> grids, NumberFormat format) {
         this.grids = List.copyOf(grids);
         this.format = format;
-        this.finest = grids.get(0);
-        this.pageTable = new float[grids.size() * finest.slices()][2 * finest.perSlice()];
+        this.pageTable = new float[grids.size() * finest().slices()][2 * finest().perSlice()];
         // The shader samples a page even if no tile is needed.
         layers.add(newLayer());
     }
@@ -74,7 +72,7 @@ public final class AtlasPages {
         }
         pages++;
         TileGrid grid = grids.get(level);
-        int slice = level * finest.slices() + tile / grid.perSlice();
+        int slice = level * finest().slices() + tile / grid.perSlice();
         pageTable[slice][indexInTable(grid, tile)] = pages;
         if (tile >= grid.perSlice()) {
             pageTable[slice - 1][indexInTable(grid, tile) + 1] = pages;
@@ -94,12 +92,12 @@ public final class AtlasPages {
 
     private int indexInTable(TileGrid grid, int tile) {
         int inSlice = tile % grid.perSlice();
-        return 2 * (inSlice / grid.columns() * finest.columns() + inSlice % grid.columns());
+        return 2 * (inSlice / grid.columns() * finest().columns() + inSlice % grid.columns());
     }
 
     private float coefficient(int level, int tile, int index) {
         TileGrid grid = grids.get(level);
-        int page = (int) pageTable[level * finest.slices() + tile / grid.perSlice()][indexInTable(grid, tile)] - 1;
+        int page = (int) pageTable[level * finest().slices() + tile / grid.perSlice()][indexInTable(grid, tile)] - 1;
         int row = CHANNELS * PAGE_SIDE;
         int number = begin(page, index / row) / format.bytes() + index % row;
         return format.decoded(layers.get(page / PER_LAYER), number);
@@ -118,7 +116,7 @@ public final class AtlasPages {
     }
 
     TileGrid finest() {
-        return finest;
+        return grids.get(0);
     }
 
     /** Returns the factor of the coefficients' squares that gives power. */
@@ -128,7 +126,7 @@ public final class AtlasPages {
 
     void putInto(ShaderTables.Builder tables) {
         tables.array(new TableArray(texels(pages), layer -> format.floats(layers.get(layer))))
-                .array(new TableArray(finest.tileList(grids.size()), layer -> FloatBuffer.wrap(pageTable[layer])));
+                .array(new TableArray(finest().tileList(grids.size()), layer -> FloatBuffer.wrap(pageTable[layer])));
     }
 
     /** Look-up of colors in tiles, as in shaders/include/color_table.glsl, in double precision. */

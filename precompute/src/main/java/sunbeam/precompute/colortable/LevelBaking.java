@@ -24,7 +24,6 @@ public final class LevelBaking {
     private final TileGrid grid;
     private final NumberFormat numbers;
     private final int largestBatch;
-    private final Interpolation interpolation;
     // Side of the square that a tile's prefilter reads, in texels.
     private final int inputSide;
     // The key is a tile's number.
@@ -41,8 +40,7 @@ public final class LevelBaking {
         this.grid = grid;
         this.largestBatch = largestBatch;
         this.numbers = numbers;
-        this.interpolation = grid.interpolation();
-        this.inputSide = STORED_SIDE + MARGIN + (interpolation == Interpolation.CUBIC ? MARGIN : 0);
+        this.inputSide = STORED_SIDE + MARGIN + (grid.interpolation() == Interpolation.CUBIC ? MARGIN : 0);
     }
 
     public static long sampleBytes(long tiles) {
@@ -172,7 +170,7 @@ public final class LevelBaking {
                 (from, texel, length, input) -> System.arraycopy(
                         samples.get(from).roots, COLORS * texel, rows, COLORS * input, COLORS * length));
         // The filter runs along all lines at once.
-        interpolation.toCoefficients(rows, inputSide, inputSide * COLORS);
+        grid.interpolation().toCoefficients(rows, inputSide, inputSide * COLORS);
         float[] transposed = new float[inputSide * STORED_SIDE * COLORS];
         for (int row = 0; row < STORED_SIDE; row++) {
             for (int column = 0; column < inputSide; column++) {
@@ -180,7 +178,7 @@ public final class LevelBaking {
                 System.arraycopy(rows, COLORS * from, transposed, COLORS * (column * STORED_SIDE + row), COLORS);
             }
         }
-        interpolation.toCoefficients(transposed, inputSide, STORED_SIDE * COLORS);
+        grid.interpolation().toCoefficients(transposed, inputSide, STORED_SIDE * COLORS);
         float[] stored = new float[TILE_NUMBERS];
         for (int texel = 0; texel < STORED_SIDE * STORED_SIDE; texel++) {
             int from = (texel % STORED_SIDE + MARGIN) * STORED_SIDE + texel / STORED_SIDE;

@@ -61,7 +61,7 @@ public final class RadialBaker implements ColorBaker {
                 spectrum, area.window(), includeFaintTails ? FINE_REACH : COARSE_REACH, !includeFaintTails);
         this.sliceStep = design.sliceStep();
         double sigma = area.window().sigmaFrequency();
-        this.direct = new DirectBaker(powers, cie);
+        this.direct = new DirectBaker(cie);
         double rayStep = SPACING * design.step();
         int last = (int) Math.max(0, Math.log(farthest / (2 * INNER_STEPS * rayStep)) / Math.log(2));
         this.bands = IntStream.rangeClosed(0, last)
@@ -169,7 +169,7 @@ public final class RadialBaker implements ColorBaker {
     }
 
     /** Sums each sample over wavelengths by itself: near the origin of (u, v), where rays meet, and for validation. Thread-safe. */
-    static final class DirectBaker implements ColorBaker {
+    final class DirectBaker implements ColorBaker {
         /** Step of ln lambda near the origin, where orders are wide. */
         private static final double WIDEST_STEP = 0.01;
         /** In units of sigma_f / |f|: 0.7 standard deviations of an order's power, as in the reference. */
@@ -177,14 +177,12 @@ public final class RadialBaker implements ColorBaker {
         /** {@link #ORDER_STEP} for light with steep edges, which cut flanks of orders. */
         private static final double FLANK_STEP = 0.25;
 
-        private final WindowedSpectrum powers;
         private final CieTable cie;
         private final double orderStep;
         // The key is the number of halvings of WIDEST_STEP.
         private final Map<Integer, WavelengthNodes> nodes = new ConcurrentHashMap<>();
 
-        DirectBaker(WindowedSpectrum powers, CieTable cie) {
-            this.powers = powers;
+        private DirectBaker(CieTable cie) {
             this.cie = cie;
             this.orderStep =
                     (cie.isSmooth() ? ORDER_STEP : FLANK_STEP) * powers.sigmaFrequency() * cie.shortestWavelength();

@@ -1,6 +1,5 @@
 package sunbeam.precompute.optics;
 
-import java.util.Collections;
 import java.util.Map;
 import java.util.NavigableMap;
 import java.util.TreeMap;
@@ -13,7 +12,7 @@ import sunbeam.precompute.units.Decimals;
 
 /**
  * Refractive index n + i k of a material in air by wavelength in meters, linear between entries and constant beyond them; n has at least
- * one, k is 0 without any. Immutable.
+ * one, k is 0 without any. Neither may change afterwards.
  */
 public record RefractiveIndex(NavigableMap<Double, Double> real, NavigableMap<Double, Double> imaginary) {
     /** Index of keratin (thesis section 3.3.2). */
@@ -25,8 +24,6 @@ public record RefractiveIndex(NavigableMap<Double, Double> real, NavigableMap<Do
 
     /** Throws IllegalArgumentException for an index out of range. */
     public RefractiveIndex {
-        real = Collections.unmodifiableNavigableMap(new TreeMap<>(real));
-        imaginary = Collections.unmodifiableNavigableMap(new TreeMap<>(imaginary));
         TreeSet<Double> wavelengths = new TreeSet<>(real.keySet());
         wavelengths.addAll(imaginary.keySet());
         for (double wavelength : wavelengths) {

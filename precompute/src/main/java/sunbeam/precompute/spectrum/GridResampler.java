@@ -43,10 +43,6 @@ public record GridResampler(Axis alongX, Axis alongY) {
             }
             return new Axis(bins.count(), firstBin, weights);
         }
-
-        int samples() {
-            return weights.length;
-        }
     }
 
     public enum Order {
@@ -55,14 +51,14 @@ public record GridResampler(Axis alongX, Axis alongY) {
     }
 
     public int size() {
-        return Math.multiplyExact(alongX.samples(), alongY.samples());
+        return Math.multiplyExact(alongX.weights.length, alongY.weights.length);
     }
 
     /** Resamples real fields {@code [field][bin]}, rows of ascending y; the target interleaves them, {@code stride} per sample. */
     public void resample(double[][] fields, float[] target, int stride, Order order) {
         double[][] halves = Arrays.stream(fields).map(this::alongX).toArray(double[][]::new);
-        int columns = alongX.samples();
-        int rows = alongY.samples();
+        int columns = alongX.weights.length;
+        int rows = alongY.weights.length;
         IntStream.range(0, rows).parallel().forEach(row -> {
             for (int i = 0; i < fields.length; i++) {
                 double[] sums = row(halves[i], row);
@@ -76,7 +72,7 @@ public record GridResampler(Axis alongX, Axis alongY) {
 
     private double[] alongX(double[] bins) {
         int binColumns = alongX.bins();
-        int columns = alongX.samples();
+        int columns = alongX.weights.length;
         double[] half = new double[alongY.bins() * columns];
         IntStream.range(0, alongY.bins()).parallel().forEach(binRow -> {
             for (int column = 0; column < columns; column++) {
@@ -93,7 +89,7 @@ public record GridResampler(Axis alongX, Axis alongY) {
     }
 
     private double[] row(double[] half, int row) {
-        int columns = alongX.samples();
+        int columns = alongX.weights.length;
         double[] weights = alongY.weights()[row];
         double[] sums = new double[columns];
         for (int j = 0; j < weights.length; j++) {

@@ -81,9 +81,7 @@ public enum PeriodInterpolation {
             Band bandX,
             Band bandY,
             PeriodInterpolation interpolation,
-            BandTransform2d transform,
-            double[] correctionX,
-            double[] correctionY) {
+            BandTransform2d transform) {
         public PeriodSpectrum(
                 HeightLevels heights, Expansion expansion, Band bandX, Band bandY, PeriodInterpolation interpolation) {
             this(
@@ -96,9 +94,7 @@ public enum PeriodInterpolation {
                             interpolation.oversampling * heights.map().columns(),
                             interpolation.oversampling * heights.map().rows(),
                             bandX,
-                            bandY),
-                    interpolation.corrections(heights.map().columns()),
-                    interpolation.corrections(heights.map().rows()));
+                            bandY));
         }
 
         private static double middle(int count) {
@@ -107,6 +103,8 @@ public enum PeriodInterpolation {
 
         /** Returns one term times {@code expansion.kind().turn(n)}, in rows of ascending y samples. Runs on all cores. */
         public ComplexVector term(int n) {
+            double[] correctionX = interpolation.corrections(heights.map().columns());
+            double[] correctionY = interpolation.corrections(heights.map().rows());
             BandTransform2d.RowSource rows = FourierTable.rows(
                     heights, expansion.scale(), s -> expansion.realBasis(n, s), s -> expansion.imaginaryBasis(n, s));
             ComplexVector term = transform.transform((row, real, imaginary) -> {
@@ -127,9 +125,10 @@ public enum PeriodInterpolation {
         private void turn(ComplexVector samples, Complex turn) {
             double padding = interpolation.oversampling() * interpolation.oversampling();
             double turns = interpolation == PeriodInterpolation.RING ? 0 : 1.0 / interpolation.oversampling();
-            double turnsX = -turns * middle(correctionX.length) / correctionX.length;
+            double turnsX =
+                    -turns * middle(heights.map().columns()) / heights.map().columns();
             // Rows run downwards, y upwards.
-            double turnsY = turns * middle(correctionY.length) / correctionY.length;
+            double turnsY = turns * middle(heights.map().rows()) / heights.map().rows();
             for (int i = 0; i < samples.length(); i++) {
                 int jx = bandX.first() + i % bandX.count();
                 int jy = bandY.first() + i / bandX.count();
