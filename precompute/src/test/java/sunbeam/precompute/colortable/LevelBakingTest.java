@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.precompute.colortable.TileGrid.TableSpace;
 import sunbeam.precompute.plan.GaussianArea;
 
@@ -214,15 +216,12 @@ class LevelBakingTest {
     }
 
     /** Tiles of an older filter of the same name are not taken for those of the present one. */
-    @Test
-    void keysContainTheFiltersImpulseResponse() {
-        for (Interpolation filter : Interpolation.values()) {
-            float[] impulse = new float[16];
-            impulse[8] = 1;
-            filter.toCoefficients(impulse, 16, 1);
-
-            assertThat(filter.key()).contains(Arrays.toString(impulse));
-        }
-        assertThat(Interpolation.CUBIC.key()).isNotEqualTo(Interpolation.SHIFTED_LINES.key());
+    @ParameterizedTest
+    @EnumSource
+    void keysContainTheFiltersImpulseResponse(Interpolation filter) {
+        float[] impulse = new float[16];
+        impulse[8] = 1;
+        filter.toCoefficients(impulse, 16, 1);
+        assertThat(filter.key()).startsWith(filter.name()).contains(Arrays.toString(impulse));
     }
 }

@@ -12,7 +12,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.SplittableRandom;
-import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -37,10 +36,6 @@ class ValidatedTableTest {
     private int opened;
     private boolean hasRoom = true;
 
-    private static void neverRefused(TableDesign design) {
-        throw new AssertionError("there is room for " + design);
-    }
-
     /** Power of two orders that cancel on lines: it is smooth, but its root has a kink. */
     private static final ColorBaker CANCELLING = baker((u, v, w) -> Math.pow(Math.sin(9 * u + 4 * v + w), 2) + 1e-7);
 
@@ -60,12 +55,7 @@ class ValidatedTableTest {
         };
     }
 
-    private ValidatedTable make(
-            double tolerance,
-            TablePoints points,
-            TableDesign coarsest,
-            ColorBaker baker,
-            Consumer<TableDesign> refused) {
+    private ValidatedTable make(double tolerance, TablePoints points, TableDesign coarsest, ColorBaker baker) {
         Function<TableDesign, ColorBaker> bakers = design -> {
             opened++;
             return baker;
@@ -77,12 +67,14 @@ class ValidatedTableTest {
                 bakers,
                 samples -> ColorBaker.Token.NONE,
                 need -> hasRoom,
-                refused,
+                design -> {
+                    throw new IllegalStateException("no room for " + design.step());
+                },
                 new ValidatedTable.Diagnostics(messages::add, messages::add));
     }
 
     private ValidatedTable oneLight(ColorBaker baker) {
-        return make(TOLERANCE, ONE_LIGHT, COARSE, baker, ValidatedTableTest::neverRefused);
+        return make(TOLERANCE, ONE_LIGHT, COARSE, baker);
     }
 
     @Test
@@ -136,7 +128,7 @@ class ValidatedTableTest {
         ColorBaker deep = baker((u, v, w) -> 1.5 + Math.sin(14 * w));
 
         TablePoints points = new TablePoints(VisibleRange.of(pairs));
-        ValidatedTable made = make(TOLERANCE, points, COARSE, deep, ValidatedTableTest::neverRefused);
+        ValidatedTable made = make(TOLERANCE, points, COARSE, deep);
 
         assertThat(made.grid().slices()).isGreaterThan(COARSE.slices());
         for (DirectionPair pair : pairs) {
@@ -157,12 +149,8 @@ class ValidatedTableTest {
 
     @Test
     void tablesWithoutRoomAreRefusedBeforehand() {
-        Consumer<TableDesign> refused = design -> {
-            throw new IllegalStateException("no room for " + design.step());
-        };
         hasRoom = false;
-        assertThatThrownBy(() -> make(TOLERANCE, ONE_LIGHT, COARSE, CANCELLING, refused))
-                .hasMessageContaining("no room for");
+        assertThatThrownBy(() -> oneLight(CANCELLING)).hasMessageContaining("no room for");
         assertThat(opened).isOne();
         assertThat(messages).isEmpty();
     }
@@ -196,7 +184,7 @@ class ValidatedTableTest {
         // The spline through the root of a lone sharp order rings beside it.
         ColorBaker lone = baker((u, v, w) -> order(u, v));
         TableDesign coarser = new TableDesign(0.1, 11);
-        ValidatedTable made = make(1e9, ONE_LIGHT, coarser, lone, ValidatedTableTest::neverRefused);
+        ValidatedTable made = make(1e9, ONE_LIGHT, coarser, lone);
         long bright = ONE_LIGHT.samples().stream()
                 .filter(pair -> order(pair.u(), pair.v()) > 1e-9)
                 .count();

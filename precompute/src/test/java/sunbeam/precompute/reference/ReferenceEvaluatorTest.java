@@ -144,12 +144,9 @@ class ReferenceEvaluatorTest {
     @Test
     void aFlatSquareIsTheDiffractionOfItsAperture() {
         HeightMap flat = Surfaces.of(10, 8, 100e-9, (x, y) -> 0);
-        ReplicaLight light = light(flat, 3, 2);
-        double u = 0.13;
-        double v = -0.21;
-        double alongX = dirichlet(u / WAVELENGTH * 100e-9, 30);
-        double alongY = dirichlet(v / WAVELENGTH * 100e-9, 16);
-        assertThat(light.power(DirectionPairs.of(u, v, -1.5), WAVELENGTH))
+        double alongX = dirichlet(0.13 / WAVELENGTH * 100e-9, 30);
+        double alongY = dirichlet(-0.21 / WAVELENGTH * 100e-9, 16);
+        assertThat(light(flat, 3, 2).power(DirectionPairs.of(0.13, -0.21, -1.5), WAVELENGTH))
                 .isCloseTo(Math.pow(alongX * alongY, 2), within(ROUNDING));
     }
 
