@@ -16,10 +16,7 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
     static WindowedSpectrum of(PowerSpectrum spectrum, CoherenceWindow window, double reach, boolean decimated) {
         double sigmaFrequency = window.sigmaFrequency();
         double spacing = decimated ? DECIMATED_SPACING * sigmaFrequency : 0;
-        PowerSpectrum bins =
-                spectrum.decimated((int) Math.max(1, spacing * spectrum.x().period()), (int)
-                        Math.max(1, spacing * spectrum.y().period()));
-        return new WindowedSpectrum(bins, sigmaFrequency, reach);
+        return new WindowedSpectrum(spectrum.decimated(spacing), sigmaFrequency, reach);
     }
 
     private GaussianWeights weights(PowerSpectrum.Axis axis) {

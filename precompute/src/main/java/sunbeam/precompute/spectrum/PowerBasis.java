@@ -23,7 +23,6 @@ final class PowerBasis {
     private static final long SEED = 20140507;
 
     private final PhaseNodes nodes;
-    private final PhaseOctaves octaves;
     private final double[] weights;
     private final double[][] functions;
     /** Values of the functions' coefficients, {@code [function][bin]}. */
@@ -32,7 +31,6 @@ final class PowerBasis {
     PowerBasis(FourierTable table, double tolerance) {
         Expansion expansion = table.expansion();
         nodes = PhaseNodes.of(expansion.minimumPhase(), expansion.maximumPhase(), PowerSpectrum.BANDWIDTH);
-        octaves = PhaseOctaves.of(nodes);
         BinPowers powers = new BinPowers(table, nodes);
         double[][] rows =
                 Arrays.stream(sample(powers, table.bins())).mapToObj(powers::at).toArray(double[][]::new);
@@ -63,7 +61,7 @@ final class PowerBasis {
         for (double[] row : rows) {
             if (!Arrays.equals(row, mirror)) {
                 double mean = mean(row) + DARKEST;
-                double[] around = octaves.means(row);
+                double[] around = octaveMeans(row);
                 for (int q = 0; q < sums.length; q++) {
                     sums[q] += (around[q] + DARKEST) / mean / rows.length;
                 }
@@ -122,7 +120,7 @@ final class PowerBasis {
 
     /** Fewest functions that approximate a row within the tolerance in every octave. */
     private int functionsNeeded(double[] row, double[][] all, double tolerance) {
-        double[] allowed = octaves.means(squares(row));
+        double[] allowed = octaveMeans(squares(row));
         Arrays.setAll(allowed, q -> tolerance * tolerance * allowed[q] + DARKEST * DARKEST);
         double[] rest = row.clone();
         for (int n = 0; n < all.length; n++) {
@@ -130,7 +128,7 @@ final class PowerBasis {
             for (int q = 0; q < rest.length; q++) {
                 rest[q] -= share * all[n][q];
             }
-            double[] left = octaves.means(squares(rest));
+            double[] left = octaveMeans(squares(rest));
             if (IntStream.range(0, rest.length).allMatch(q -> left[q] <= allowed[q])) {
                 return n + 1;
             }
@@ -174,34 +172,26 @@ final class PowerBasis {
                 nodes.minimum(), nodes.maximum(), PowerSpectrum.BANDWIDTH, zeta -> nodes.interpolate(functions, zeta));
     }
 
-    /** Octave around each node: its first node, and the node after its last. */
-    private record PhaseOctaves(PhaseNodes nodes, int[] first, int[] end) {
-        static PhaseOctaves of(PhaseNodes nodes) {
-            PhaseOctaves octaves = new PhaseOctaves(nodes, new int[nodes.count()], new int[nodes.count()]);
-            for (int q = 0, low = 0, high = 0; q < nodes.count(); q++) {
-                while (nodes.phases()[low] * Math.sqrt(2) < nodes.phases()[q]) {
-                    low++;
-                }
-                while (high < nodes.count() && nodes.phases()[high] <= nodes.phases()[q] * Math.sqrt(2)) {
-                    high++;
-                }
-                octaves.first[q] = low;
-                octaves.end[q] = high;
-            }
-            return octaves;
+    /** Means of a function's values at the nodes over the octave around each of them. */
+    private double[] octaveMeans(double[] values) {
+        double[] sums = new double[values.length + 1];
+        double[] lengths = new double[values.length + 1];
+        for (int q = 0; q < values.length; q++) {
+            sums[q + 1] = sums[q] + nodes.weights()[q] * values[q];
+            lengths[q + 1] = lengths[q] + nodes.weights()[q];
         }
-
-        double[] means(double[] values) {
-            double[] sums = new double[values.length + 1];
-            double[] weights = new double[values.length + 1];
-            for (int q = 0; q < values.length; q++) {
-                sums[q + 1] = sums[q] + nodes.weights()[q] * values[q];
-                weights[q + 1] = weights[q] + nodes.weights()[q];
+        double[] phases = nodes.phases();
+        double[] means = new double[values.length];
+        for (int q = 0, first = 0, end = 0; q < values.length; q++) {
+            while (phases[first] * Math.sqrt(2) < phases[q]) {
+                first++;
             }
-            double[] means = new double[values.length];
-            Arrays.setAll(means, q -> (sums[end[q]] - sums[first[q]]) / (weights[end[q]] - weights[first[q]]));
-            return means;
+            while (end < values.length && phases[end] <= phases[q] * Math.sqrt(2)) {
+                end++;
+            }
+            means[q] = (sums[end] - sums[first]) / (lengths[end] - lengths[first]);
         }
+        return means;
     }
 
     /** Powers |F_j|^2 of single DFT bins at nodes of the phase zeta. */

@@ -102,10 +102,12 @@ public record PowerSpectrum(
     }
 
     /**
-     * Returns bins that are farther apart by whole factors. Lagrange weights of degree 7 distribute each power over eight bins, so that
+     * Returns bins that are farther apart by whole factors, by at most a spacing in cycles per meter. Lagrange weights of degree 7 distribute each power over eight bins, so that
      * sums over Gaussians wider than the new spacing do not change.
      */
-    public PowerSpectrum decimated(int factorX, int factorY) {
+    public PowerSpectrum decimated(double spacing) {
+        int factorX = (int) Math.max(1, spacing * x.period);
+        int factorY = (int) Math.max(1, spacing * y.period);
         PowerSpectrum alongX = factorX == 1 ? this : decimatedX(factorX);
         return factorY == 1 ? alongX : alongX.transposed().decimatedX(factorY).transposed();
     }

@@ -20,7 +20,27 @@ public final class TableFile {
     public static void write(Path file, FourierTable table, String name, String digest) {
         try (WritableHdfFile hdf = HdfFile.write(file)) {
             hdf.putDataset("terms", nested(table));
-            describe(hdf, table);
+            hdf.putAttribute("format", "sunbeam fourier table");
+            hdf.putAttribute("format_version", 1);
+            hdf.putAttribute(
+                    "content", "terms[n][0] + i terms[n][1]: inverse DFT (1/N, exp(+i)) of T_n(h) of one period");
+            hdf.putAttribute(
+                    "rows_are", "bins of y, ascending from first_bin_y; frequency = bin / height, cycles per metre");
+            hdf.putAttribute(
+                    "columns_are", "bins of x, ascending from first_bin_x; frequency = bin / width, cycles per metre");
+            hdf.putAttribute(
+                    "window",
+                    "none: the Gaussian window acts when the table is used; phases refer to the top left sample");
+            hdf.putAttribute("expansion", ValueKind.name(table.expansion().kind()));
+            hdf.putAttribute("height_centre_metres", table.expansion().scale().center());
+            hdf.putAttribute(
+                    "height_half_range_metres", table.expansion().scale().halfRange());
+            hdf.putAttribute("first_bin_x", table.bandX().first());
+            hdf.putAttribute("first_bin_y", table.bandY().first());
+            hdf.putAttribute("patch_columns", table.map().columns());
+            hdf.putAttribute("patch_rows", table.map().rows());
+            hdf.putAttribute("pitch_x_metres", table.map().pitchX());
+            hdf.putAttribute("pitch_y_metres", table.map().pitchY());
             hdf.putAttribute("patch_name", name);
             hdf.putAttribute("patch_digest_sha256", digest);
             if (table.expansion().kind() != Expansion.Kind.TAYLOR) {
@@ -35,27 +55,6 @@ public final class TableFile {
             throw new UncheckedIOException(
                     "cannot write " + file + ": " + rootMessage(e), new IOException(rootMessage(e), e));
         }
-    }
-
-    private static void describe(WritableHdfFile hdf, FourierTable table) {
-        hdf.putAttribute("format", "sunbeam fourier table");
-        hdf.putAttribute("format_version", 1);
-        hdf.putAttribute("content", "terms[n][0] + i terms[n][1]: inverse DFT (1/N, exp(+i)) of T_n(h) of one period");
-        hdf.putAttribute(
-                "rows_are", "bins of y, ascending from first_bin_y; frequency = bin / height, cycles per metre");
-        hdf.putAttribute(
-                "columns_are", "bins of x, ascending from first_bin_x; frequency = bin / width, cycles per metre");
-        hdf.putAttribute(
-                "window", "none: the Gaussian window acts when the table is used; phases refer to the top left sample");
-        hdf.putAttribute("expansion", ValueKind.name(table.expansion().kind()));
-        hdf.putAttribute("height_centre_metres", table.expansion().scale().center());
-        hdf.putAttribute("height_half_range_metres", table.expansion().scale().halfRange());
-        hdf.putAttribute("first_bin_x", table.bandX().first());
-        hdf.putAttribute("first_bin_y", table.bandY().first());
-        hdf.putAttribute("patch_columns", table.map().columns());
-        hdf.putAttribute("patch_rows", table.map().rows());
-        hdf.putAttribute("pitch_x_metres", table.map().pitchX());
-        hdf.putAttribute("pitch_y_metres", table.map().pitchY());
     }
 
     private static float[][][][] nested(FourierTable table) {
