@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -61,19 +62,26 @@ class RadialBakerTest {
         return new RadialBaker(spectrum, CieTable.load(), area, new TableDesign(step, 21), 2, true);
     }
 
+    private static float[] samples(int count, IntFunction<double[]> uvw) {
+        float[] samples = new float[3 * count];
+        for (int i = 0; i < samples.length; i += 3) {
+            double[] sample = uvw.apply(i / 3);
+            for (int axis = 0; axis < 3; axis++) {
+                samples[i + axis] = (float) sample[axis];
+            }
+        }
+        return samples;
+    }
+
     /** Directions from the center to grazing, in a few slices. */
     private static float[] places(int count) {
         SplittableRandom random = new SplittableRandom(11);
-        float[] places = new float[3 * count];
-        for (int i = 0; i < count; i++) {
+        return samples(count, i -> {
             double depth = 0.15 * (1 + random.nextInt(12));
             double radius = random.nextDouble() * Math.sqrt(4 - depth * depth);
             double angle = 2 * Math.PI * random.nextDouble();
-            places[3 * i] = (float) (radius * Math.cos(angle));
-            places[3 * i + 1] = (float) (radius * Math.sin(angle));
-            places[3 * i + 2] = (float) -depth;
-        }
-        return places;
+            return new double[] {radius * Math.cos(angle), radius * Math.sin(angle), -depth};
+        });
     }
 
     private static double[] errors(HeightMap map, PowerSpectrum spectrum, float[] places) {
@@ -121,13 +129,11 @@ class RadialBakerTest {
     void noLightLeaksBeyondTheEndOfAnOrder(double tolerance) {
         GaussianArea area = ensemble(130e-6);
         HeightMap map = Surfaces.of(32, 8, 156.25e-9, (x, y) -> 60e-9 * Math.sin(2 * Math.PI * x / 1.25e-6));
-        float[] places = new float[3 * 40];
-        for (int i = 0; i < 40; i++) {
-            // 340 to 372 nm, and 450 nm.
+        // 340 to 372 nm, and 450 nm.
+        float[] places = samples(40, i -> {
             double wavelength = i == 39 ? 450e-9 : (340 + 0.82 * i) * 1e-9;
-            places[3 * i] = (float) (wavelength / 1.25e-6);
-            places[3 * i + 2] = -1.5f;
-        }
+            return new double[] {wavelength / 1.25e-6, 0, -1.5};
+        });
         float[] xyz =
                 baker(spectrum(map, ENSEMBLE, area, tolerance), area, 0.0009).bake(places, ColorBaker.Token.NONE);
         double order = xyz[3 * 39 + 2];
@@ -166,12 +172,7 @@ class RadialBakerTest {
     /** Between slices colors are interpolated; each place by itself is a sum over wavelengths. */
     @Test
     void colorsAtAnyDepthAreThoseOfSinglePlaces() {
-        float[] places = new float[3 * 300];
-        for (int i = 0; i < 300; i++) {
-            places[3 * i] = 0.5f;
-            places[3 * i + 1] = 0.2f + 0.002f * i;
-            places[3 * i + 2] = -0.5f - 4e-3f * i;
-        }
+        float[] places = samples(300, i -> new double[] {0.5, 0.2 + 0.002 * i, -0.5 - 4e-3 * i});
         RadialBaker colors = smallBaker();
         float[] exact = colors.direct().bake(places, ColorBaker.Token.NONE);
         float[] xyz = colors.bake(places, ColorBaker.Token.NONE);
@@ -215,16 +216,13 @@ class RadialBakerTest {
 
     /** The mean over slopes, by a sum over an even grid of them. */
     private static double[] mean(RadialBaker points, double[] place) {
-        float[] tilted = new float[3 * SIDE * SIDE];
         double[] weights = new double[SIDE * SIDE];
-        for (int i = 0; i < weights.length; i++) {
+        float[] tilted = samples(weights.length, i -> {
             double x = FARTHEST * ((i % SIDE + 0.5) / SIDE * 2 - 1);
             double y = FARTHEST * ((Math.floorDiv(i, SIDE) + 0.5) / SIDE * 2 - 1);
             weights[i] = Math.exp(-0.5 * (x * x + y * y));
-            tilted[3 * i] = (float) (place[0] + x * SLOPES * place[2]);
-            tilted[3 * i + 1] = (float) (place[1] + y * SLOPES * place[2]);
-            tilted[3 * i + 2] = (float) place[2];
-        }
+            return new double[] {place[0] + x * SLOPES * place[2], place[1] + y * SLOPES * place[2], place[2]};
+        });
         float[] colors = points.direct().bake(tilted, ColorBaker.Token.NONE);
         double[] sum = new double[3];
         for (int i = 0; i < colors.length; i++) {
@@ -251,8 +249,7 @@ class RadialBakerTest {
                 new double[] {0.9, 0.3, -1.4},
                 new double[] {-0.2, 1.1, -0.8});
         for (double[] place : places) {
-            float[] found = colors.bake(
-                    new float[] {(float) place[0], (float) place[1], (float) place[2]}, ColorBaker.Token.NONE);
+            float[] found = colors.bake(samples(1, i -> place), ColorBaker.Token.NONE);
             double[] mean = mean(points, place);
             for (int c = 0; c < 3; c++) {
                 // Cubic polynomials between windows and quadratic splines between frequencies: a thousandth each where

@@ -197,13 +197,7 @@ class ValidatedTableTest {
 
     /** The table of one light from cached tiles of {@link #SMOOTH}, checked against a baker. */
     private static Optional<ValidatedTable> lookUp(ColorTable levels, BitSet missing, ColorBaker baker) {
-        CachedTiles tiles = cached(levels, missing);
-        return ValidatedTable.cached(levels, ONE_LIGHT, tiles, design -> baker, samples -> ColorBaker.Token.NONE);
-    }
-
-    private static CachedTiles cached(ColorTable levels, BitSet missing) {
-        TileGrid grid = TileGrid.of(levels.levels().get(0));
-        return new CachedTiles() {
+        CachedTiles cached = new CachedTiles() {
             @Override
             public BitSet present(int level, BitSet tiles) {
                 BitSet present = (BitSet) tiles.clone();
@@ -213,11 +207,13 @@ class ValidatedTableTest {
 
             @Override
             public Map<Integer, byte[]> read(int level, BitSet tiles) {
-                List<byte[]> made = new LevelBaking(grid, levels.numbers()).bake(tiles, SMOOTH, ColorBaker.Token.NONE);
+                List<byte[]> made = new LevelBaking(TileGrid.of(levels.levels().get(0)), levels.numbers())
+                        .bake(tiles, SMOOTH, ColorBaker.Token.NONE);
                 int[] numbers = tiles.stream().toArray();
                 return IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get));
             }
         };
+        return ValidatedTable.cached(levels, ONE_LIGHT, cached, design -> baker, samples -> ColorBaker.Token.NONE);
     }
 
     @Test

@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 final class NumericsTest {
@@ -33,21 +35,19 @@ final class NumericsTest {
                 .isCloseTo(top, within(1e-14));
     }
 
-    @Test
-    void withoutATopItIsTheMiddleAndWithinHalfAStep() {
-        assertThat(Lagrange.top(1, 1, 1)).isZero();
-        assertThat(Lagrange.top(2, 1, 2)).as("a valley").isZero();
-        assertThat(Lagrange.top(0, 1, 0.5)).as("no logarithm").isZero();
-        assertThat(Lagrange.top(1, 2, 3)).isEqualTo(0.5);
+    @ParameterizedTest
+    @CsvSource({"1, 1, 1, 0", "2, 1, 2, 0", "0, 1, 0.5, 0", "1, 2, 3, 0.5"})
+    void withoutATopItIsTheMiddleAndWithinHalfAStep(double before, double here, double after, double top) {
+        assertThat(Lagrange.top(before, here, after)).isEqualTo(top);
     }
 
     @Test
     void quantilesAreLinearBetweenNeighborsAndLeaveTheSamples() {
         double[] samples = {4, 1, 3, 2};
-        assertThat(Quantiles.of(samples, 0)).isEqualTo(1);
-        assertThat(Quantiles.of(samples, 0.25)).isEqualTo(1.75);
-        assertThat(Quantiles.of(samples, 0.5)).isEqualTo(2.5);
-        assertThat(Quantiles.of(samples, 1)).isEqualTo(4);
+        double[] quantiles = DoubleStream.of(0, 0.25, 0.5, 1)
+                .map(share -> Quantiles.of(samples, share))
+                .toArray();
+        assertThat(quantiles).containsExactly(1, 1.75, 2.5, 4);
         assertThat(samples).containsExactly(4, 1, 3, 2);
         assertThat(Quantiles.of(new double[0], 0)).isNaN();
         assertThat(Quantiles.of(new double[0], 0.5)).isNaN();

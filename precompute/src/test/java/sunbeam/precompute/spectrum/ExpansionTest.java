@@ -83,13 +83,11 @@ class ExpansionTest {
     }
 
     private static double squaredError(double phase, Complex[] basis, double[] coefficients) {
-        double real = Math.cos(phase);
-        double imaginary = -Math.sin(phase);
+        Complex rest = new Complex(Math.cos(phase), -Math.sin(phase));
         for (int n = 0; n < basis.length; n++) {
-            real -= coefficients[n] * basis[n].getReal();
-            imaginary -= coefficients[n] * basis[n].getImaginary();
+            rest = rest.subtract(basis[n].multiply(coefficients[n]));
         }
-        return real * real + imaginary * imaginary;
+        return rest.multiply(rest.conjugate()).getReal();
     }
 
     @Test
@@ -126,11 +124,10 @@ class ExpansionTest {
         double[] coefficients = taylor.coefficients(zeta);
         double worst = 0;
         for (double s = -1; s <= 1; s += 0.01) {
-            Complex rest = new Complex(Math.cos(zeta * s), -Math.sin(zeta * s));
-            for (int n = 0; n < terms; n++) {
-                rest = rest.subtract(taylor.kind().turn(n).multiply(taylor.realBasis(n, s) * coefficients[n]));
-            }
-            worst = Math.max(worst, rest.abs());
+            double at = s;
+            Complex[] basis = new Complex[terms];
+            Arrays.setAll(basis, n -> taylor.kind().turn(n).multiply(taylor.realBasis(n, at)));
+            worst = Math.max(worst, Math.sqrt(squaredError(zeta * s, basis, coefficients)));
         }
         // The bound is tight within the next term's factor.
         assertThat(worst).isBetween(taylor.error() / 10, taylor.error());
