@@ -9,6 +9,7 @@ import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
+import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.scene.texture.BodyTexture;
@@ -191,10 +192,11 @@ public record Scene(
 
     /** True if tables of both have the same factors: constant indices differ only in the divisor of conserved energy. */
     public boolean sharesReflectance(Scene other) {
+        SkinIndex index = get(SceneSettings.INDEX);
+        SkinIndex otherIndex = other.get(SceneSettings.INDEX);
+        boolean areConstant = !index.isByWavelength() && !otherIndex.isByWavelength();
         return effectiveEnergy() == other.effectiveEnergy()
-                && (get(SceneSettings.INDEX).equals(other.get(SceneSettings.INDEX))
-                        || (effectiveEnergy() == Energy.SCALAR
-                                && get(SceneSettings.INDEX).sharesSpectrum(other.get(SceneSettings.INDEX))));
+                && (index.equals(otherIndex) || (effectiveEnergy() == Energy.SCALAR && areConstant));
     }
 
     public boolean sharesBody(Scene other) {

@@ -295,11 +295,6 @@ public final class SceneSettings {
             return constant.map(RefractiveIndex::describe).orElse(file);
         }
 
-        /** True if tables are shared: for equal files, or any two constants. */
-        public boolean sharesSpectrum(SkinIndex other) {
-            return equals(other) || (!isByWavelength() && !other.isByWavelength());
-        }
-
         public boolean isByWavelength() {
             return constant.isEmpty();
         }

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import java.util.function.UnaryOperator;
 import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
@@ -122,7 +123,9 @@ public final class Scenes {
         own = resolve(own, SceneSettings.MESH, BuiltInMeshes.names());
         own = resolve(own, SceneSettings.TEXTURE, BodyTexture.names());
         own = resolve(own, SceneSettings.ORIENTATION_MAP, List.of(Body.NONE));
-        own = resolveIndex(own);
+        if (own.get(SceneSettings.INDEX).isByWavelength()) {
+            own = resolve(own, SceneSettings.INDEX, index -> SkinIndex.of(resolve(index.file(), List.of())));
+        }
         Optional<JsonObject> plan = root.findObject("plan");
         Choices methodChoices = plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none());
         methodChoices =
@@ -239,21 +242,14 @@ public final class Scenes {
 
     /** Makes the file name of a setting absolute, unless it is a built-in name. */
     private Choices resolve(Choices choices, Setting<String> setting, List<String> builtIn) {
-        try {
-            return choices.with(setting, resolve(choices.get(setting), builtIn), choices.origin(setting));
-        } catch (IllegalArgumentException wrong) {
-            throw choices.complaint(setting, wrong.getMessage());
-        }
+        return resolve(choices, setting, name -> resolve(name, builtIn));
     }
 
-    private Choices resolveIndex(Choices choices) {
-        SkinIndex index = choices.get(SceneSettings.INDEX);
+    private static <T> Choices resolve(Choices choices, Setting<T> setting, UnaryOperator<T> resolved) {
         try {
-            return index.isByWavelength()
-                    ? choices.with(SceneSettings.INDEX, SkinIndex.of(resolve(index.file(), List.of())))
-                    : choices;
+            return choices.with(setting, resolved.apply(choices.get(setting)), choices.origin(setting));
         } catch (IllegalArgumentException wrong) {
-            throw choices.complaint(SceneSettings.INDEX, wrong.getMessage());
+            throw choices.complaint(setting, wrong.getMessage());
         }
     }
 

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import jrtr.Tile;
@@ -70,17 +71,11 @@ class SceneSessionTest extends InAScene {
     void aPixelHasTheExactColorOfItsDirection() {
         SceneData data = session.data();
         ExactLight reference = data.scene().method().area().over(data.patch().heights(), CieTable.load());
-        assertExact(
-                session,
-                picture(session, WIDTH, HEIGHT),
-                pair -> DoubleStream.of(reference.xyz(pair, ExactLight.Quadrature.EXACT))
-                        .map(value -> Gain.relativeRadiance(pair) * value)
-                        .toArray(),
-                0,
-                5,
-                20,
-                60,
-                150);
+        Function<DirectionPair, double[]> exact = pair -> DoubleStream.of(
+                        reference.xyz(pair, ExactLight.Quadrature.EXACT))
+                .map(value -> Gain.relativeRadiance(pair) * value)
+                .toArray();
+        assertExact(session, picture(session, WIDTH, HEIGHT), exact, 0, 5, 20, 60, 150);
     }
 
     /** A light's irradiance does not change with its coherence; twice the length makes an order four times as bright, and a quarter as large. */
@@ -196,16 +191,12 @@ class SceneSessionTest extends InAScene {
 
     private static final int SIZE = 48;
 
-    private SkinIndex file(String table) throws IOException {
-        return SkinIndex.of(
-                Files.writeString(folder.resolve("index.csv"), table).toString());
-    }
-
     @Test
     void anIndexByWavelengthHasTheExactColors() throws IOException {
         // More reflected in the red than in the blue, as by copper.
-        Scene scene = blaze().with(
-                        SceneSettings.INDEX, file("wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n"));
+        String copper = "wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n";
+        Path file = Files.writeString(folder.resolve("index.csv"), copper);
+        Scene scene = blaze().with(SceneSettings.INDEX, SkinIndex.of(file.toString()));
         List<SceneData> parts = loader().parts(scene);
         try (SceneSession session = new SceneSession(context, parts.get(0))) {
             assertExact(session, sum(parts, SIZE, SIZE), pair -> exact(parts, pair), 0, 5, 20);

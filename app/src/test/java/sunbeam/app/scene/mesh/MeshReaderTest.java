@@ -240,13 +240,6 @@ class MeshReaderTest extends MeshReading {
         return largest;
     }
 
-    @Test
-    void builtInMeshesHaveTheirOwnUnit() {
-        assertThatThrownBy(() -> new MeshSource("snake", MeshSource.Unit.CM).load())
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining("snake is in meters");
-    }
-
     private static String obj(Mesh mesh, Vector3d shift) {
         StringBuilder text = new StringBuilder();
         for (int i = 0; i < mesh.vertices(); i++) {
