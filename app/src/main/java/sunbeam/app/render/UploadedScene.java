@@ -174,15 +174,15 @@ final class UploadedScene implements AutoCloseable {
 
         SkinTextures(RenderContext context, Body body) {
             this.body = body;
-            Resource.orClose(
-                    () -> {
-                        upload(context, "bodyTexture", "body", body.colors(), Encoding.SRGB);
-                        upload(context, "skinRelief", "relief", body.relief(), Encoding.LINEAR);
-                        upload(context, "patchDirections", "directions", body.directions(), Encoding.LINEAR);
-                        upload(context, "patchMap", "patches", body.patches(), Encoding.LINEAR);
-                        return this;
-                    },
-                    this::close);
+            try {
+                upload(context, "bodyTexture", "body", body.colors(), Encoding.SRGB);
+                upload(context, "skinRelief", "relief", body.relief(), Encoding.LINEAR);
+                upload(context, "patchDirections", "directions", body.directions(), Encoding.LINEAR);
+                upload(context, "patchMap", "patches", body.patches(), Encoding.LINEAR);
+            } catch (RuntimeException | Error failure) {
+                close();
+                throw failure;
+            }
         }
 
         private void upload(

@@ -116,7 +116,7 @@ public abstract class InAScene extends InAContext {
         return session.moving(width, height, 1, 1).getRGB(0, 0, width, height, null, 0, width);
     }
 
-    /** Asserts that channels of 8 bits differ by so few steps. */
+    /** Asserts that channels of 8 bits differ by at most some steps. */
     protected static void assertAlike(int[] rgb, int[] expected, int steps) {
         for (int i = 0; i < rgb.length; i++) {
             for (int shift = 0; shift < 24; shift += 8) {

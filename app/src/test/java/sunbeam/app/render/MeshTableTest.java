@@ -29,7 +29,7 @@ import sunbeam.precompute.text.Text;
 
 /** Color tables on meshes: their tolerance, their tiles, and relief finer than a pixel. */
 class MeshTableTest extends InAScene {
-    /** Returns a scene whose patch is a text of heights in meters, with a period of so many micrometers. */
+    /** Returns a scene with a patch of heights in meters, written as text; width and length of its period are in micrometers. */
     private Scene scene(CharSequence heights, double width, double length, String otherKeys) throws IOException {
         Files.writeString(folder.resolve("heights.txt"), heights);
         return Scenes.load(Files.writeString(folder.resolve("scene.json"), Text.format("""

@@ -71,10 +71,10 @@ class SceneSessionTest extends InAScene {
     void aPixelHasTheExactColorOfItsDirection() {
         SceneData data = session.data();
         ExactLight reference = data.scene().method().area().over(data.patch().heights(), CieTable.load());
-        Function<DirectionPair, double[]> exact = pair -> DoubleStream.of(
-                        reference.xyz(pair, ExactLight.Quadrature.EXACT))
-                .map(value -> Gain.relativeRadiance(pair) * value)
-                .toArray();
+        Function<DirectionPair, double[]> exact =
+                pair -> DoubleStream.of(reference.xyz(pair, ExactLight.Quadrature.EXACT))
+                        .map(value -> Gain.relativeRadiance(pair) * value)
+                        .toArray();
         assertExact(session, picture(session, WIDTH, HEIGHT), exact, 0, 5, 20, 60, 150);
     }
 
