@@ -31,6 +31,7 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
 class LoopLimitTest extends InAContext {
     private static final GaussianArea AREA =
             new GaussianArea(CoherenceWindow.ofCoherenceLength(30e-6), WindowOrigin.CENTRE, Average.ENSEMBLE);
+    private static final int RADIUS = 15;
     private static final List<Query> ASKED =
             List.of(new Query(new DirectionPair(Direction.ofDisc(0.5, 0.2), Direction.ofDisc(0.1, 0.3)), 500e-9));
 
@@ -38,17 +39,12 @@ class LoopLimitTest extends InAContext {
     void partialSumsOfEndedLoopsAreRefused() {
         assumeTrue(context.info().renderer().contains("llvmpipe"), "only llvmpipe is known to end loops");
         // 961 bins at some hundred wavelengths, more than 65,535 together.
-        assertThatThrownBy(() -> evaluate(15))
+        assertThatThrownBy(() -> evaluate())
                 .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("65,535");
     }
 
-    @Test
-    void completeSumsPass() {
-        assertThat(evaluate(1).get(0)[1]).isPositive();
-    }
-
-    private static List<float[]> evaluate(int radius) {
+    private static List<float[]> evaluate() {
         double[] heights = new double[64];
         heights[27] = 200e-9;
         Surface surface =
@@ -59,15 +55,15 @@ class LoopLimitTest extends InAContext {
                         AREA,
                         VisibleRange.of(List.of(ASKED.get(0).pair())));
         OrderSampling sampling = new OrderSampling(
-                new Neighborhood(radius, Neighborhood.Anchor.NEAREST),
+                new Neighborhood(RADIUS, Neighborhood.Anchor.NEAREST),
                 Optional.empty(),
                 new BandRule(100, 0.1, 5e3, 50e3));
         SpectrumPlan plan = new SpectrumPlan(
                 planned.tolerance(),
                 planned.range(),
                 planned.expansion(),
-                planned.range().bandX(surface.map().width(), radius + 1),
-                planned.range().bandY(surface.map().height(), radius + 1),
+                planned.range().bandX(surface.map().width(), RADIUS + 1),
+                planned.range().bandY(surface.map().height(), RADIUS + 1),
                 AREA,
                 sampling);
         ShaderTables tables =

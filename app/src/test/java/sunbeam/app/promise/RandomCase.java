@@ -25,7 +25,6 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.FourierTable;
-import sunbeam.precompute.text.Text;
 
 /**
  * A surface, window, average, tolerance and directions, all drawn from one seed: method {@code full} must keep its
@@ -157,20 +156,9 @@ record RandomCase(
 
     @Override
     public String toString() {
-        return Text.format(
-                "seed %d: %s, %d x %d samples of %.0f x %.0f nm, relief %.3g nm, window %.3g um on the %s, %s %s %s, tolerance %.0e",
-                seed,
-                kind,
-                map.columns(),
-                map.rows(),
-                map.pitchX() * 1e9,
-                map.pitchY() * 1e9,
-                map.relief() * 1e9,
-                area.window().coherenceLength() * 1e6,
-                words(area.origin()),
-                words(area.average()),
-                colors ? "XYZ" : "power",
-                aim,
-                tolerance);
+        String size = map.columns() + " x " + map.rows() + " samples, relief " + map.relief() + " m, window ";
+        String length = area.window().coherenceLength() + " m on the " + words(area.origin()) + ", ";
+        String result = words(area.average()) + (colors ? " XYZ " : " power ") + aim + ", tolerance " + tolerance;
+        return "seed " + seed + ": " + kind + ", " + size + length + result;
     }
 }

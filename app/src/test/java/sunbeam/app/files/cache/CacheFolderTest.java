@@ -41,14 +41,6 @@ final class CacheFolderTest {
     }
 
     @Test
-    void openingCreatesTheFolder() {
-        CacheFolder cache = cache(Map.of());
-        assertThat(cache.entries()).isEmpty();
-        assertThat(cache.open(warnings::add).orElseThrow()).isEmptyDirectory();
-        assertThat(warnings).isEmpty();
-    }
-
-    @Test
     void leastRecentlyUsedFilesAreDeletedFirst() throws IOException {
         CacheFolder cache = cache(Map.of());
         Path path = cache.open(warnings::add).orElseThrow();

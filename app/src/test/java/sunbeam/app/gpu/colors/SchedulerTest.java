@@ -91,7 +91,12 @@ final class SchedulerTest {
                 case 3 -> interactive(random.nextBoolean());
                 case 4 -> take();
                 case 5 -> idle();
-                case 6 -> close(random.nextInt(8) == 0);
+                case 6 -> {
+                    if (random.nextInt(8) == 0) {
+                        isClosed = true;
+                        scheduler.close();
+                    }
+                }
                 default -> {
                     if (!isBusy && !queue.isEmpty()) {
                         queue.remove().run();
@@ -130,13 +135,6 @@ final class SchedulerTest {
                 assertThat(isClosed || isInteractive).as("idle").isFalse();
                 idleDone++;
             });
-        }
-
-        private void close(boolean really) {
-            if (really) {
-                isClosed = true;
-                scheduler.close();
-            }
         }
 
         private void take() {

@@ -92,12 +92,13 @@ class SceneTableTest extends InAScene {
 
     @Test
     void widePixelsHaveTheMeanOfTheirPoints() {
-        assertTableHasTheMeanOfPoints(type -> plane(EYE, LIGHT, 20, ON_A_BODY, type));
+        // They are 0.02 wide in (u, v), several times an order's width, like those of a whole snake.
+        assertTableHasTheMeanOfPoints(type -> plane(EYE, LIGHT, 20, ON_A_BODY, type), 3, 40);
     }
 
     @Test
     void aPlaneSeenAt80DegreesHasTheMeanOfItsPoints() {
-        assertTableHasTheMeanOfPoints(SceneTableTest::grazing);
+        assertTableHasTheMeanOfPoints(SceneTableTest::grazing, 3, 40);
     }
 
     /** Of few pixels' points, each of which is the mean of 96 slopes. */
@@ -141,11 +142,6 @@ class SceneTableTest extends InAScene {
         Vector3f light = new Vector3f(0, 0.765f, 0.644f);
         return plane(eye, light, 20, ON_A_BODY, type)
                 .with(Choices.none().with(SceneSettings.ROTATE_PATCH, Math.PI / 2));
-    }
-
-    /** Asserts the mean of pixels that are 0.02 wide in (u, v), several times an order's width, like those of a whole snake. */
-    private void assertTableHasTheMeanOfPoints(Function<MethodType, Scene> scene) {
-        assertTableHasTheMeanOfPoints(scene, 3, 40);
     }
 
     /**
