@@ -29,9 +29,6 @@ final class GlUniforms {
             Map.entry(GL3.GL_INT_VEC2, "ivec2"),
             Map.entry(GL3.GL_INT_VEC3, "ivec3"),
             Map.entry(GL3.GL_INT_VEC4, "ivec4"),
-            Map.entry(GL3.GL_BOOL, "bool"),
-            Map.entry(GL3.GL_UNSIGNED_INT, "uint"),
-            Map.entry(GL3.GL_FLOAT_MAT2, "mat2"),
             Map.entry(GL3.GL_FLOAT_MAT3, "mat3"),
             Map.entry(GL3.GL_FLOAT_MAT4, "mat4"));
 

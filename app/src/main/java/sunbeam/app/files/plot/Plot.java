@@ -6,8 +6,6 @@ import java.awt.Shape;
 import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jfree.chart.JFreeChart;
@@ -18,7 +16,6 @@ import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.data.xy.DefaultXYDataset;
-import org.jfree.data.xy.XYDataset;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 
@@ -31,14 +28,12 @@ public final class Plot {
     private static final Line2D LEGEND_LINE = new Line2D.Double(-12, 0, 12, 0);
 
     private final Frame frame;
-    private final List<Series> allSeries = new ArrayList<>();
+    private final XYPlot plot;
+    private int count;
     private Optional<Double> equalStep = Optional.empty();
-    private boolean fromZero;
     private RectangleEdge legendEdge = RectangleEdge.RIGHT;
 
     private int ringSeries;
-
-    private record Series(XYDataset dataset, XYLineAndShapeRenderer renderer) {}
 
     public enum Scale {
         LINEAR,
@@ -60,6 +55,9 @@ public final class Plot {
 
     public Plot(Frame frame) {
         this.frame = frame;
+        plot = PlotStyle.plot(PlotStyle.horizontal(frame.x()), PlotStyle.upright(frame.y()));
+        // The order of adding, so that rings lie in front.
+        plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
     }
 
     public static Plot linear(String title, String x, String y, int width, int height) {
@@ -79,7 +77,7 @@ public final class Plot {
     }
 
     public Plot line(String name, double[] x, double[] y) {
-        return line(name, x, y, allSeries.size());
+        return line(name, x, y, count);
     }
 
     /** Adds a line in the color of the series with the given number. */
@@ -92,7 +90,7 @@ public final class Plot {
     }
 
     public Plot points(String name, double[] x, double[] y) {
-        return points(name, x, y, allSeries.size());
+        return points(name, x, y, count);
     }
 
     /** Adds points in the color and with the mark of the series with the given number. */
@@ -107,7 +105,7 @@ public final class Plot {
     }
 
     public Plot fromZero() {
-        fromZero = true;
+        ((NumberAxis) plot.getRangeAxis()).setAutoRangeIncludesZero(true);
         return this;
     }
 
@@ -128,19 +126,9 @@ public final class Plot {
     }
 
     public BufferedImage draw() {
-        XYPlot plot = PlotStyle.plot(PlotStyle.horizontal(frame.x()), PlotStyle.upright(frame.y()));
-        if (fromZero) {
-            ((NumberAxis) plot.getRangeAxis()).setAutoRangeIncludesZero(true);
-        }
-        for (int index = 0; index < allSeries.size(); index++) {
-            plot.setDataset(index, allSeries.get(index).dataset);
-            plot.setRenderer(index, allSeries.get(index).renderer);
-        }
         PlotStyle.adaptUnits(plot);
-        // The order of adding, so that rings lie in front.
-        plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
-        if (allSeries.size() > 1) {
+        if (count > 1) {
             chart.addSubtitle(PlotStyle.legend(plot, legendEdge));
         }
         equalStep.ifPresent(step -> equalizeScales(chart, step));
@@ -148,7 +136,6 @@ public final class Plot {
     }
 
     private void equalizeScales(JFreeChart chart, double step) {
-        XYPlot plot = chart.getXYPlot();
         NumberAxis x = (NumberAxis) plot.getDomainAxis();
         NumberAxis y = (NumberAxis) plot.getRangeAxis();
         x.setTickUnit(new NumberTickUnit(step, PlotStyle.NUMBERS));
@@ -166,7 +153,9 @@ public final class Plot {
     private Plot add(String name, double[] x, double[] y, XYLineAndShapeRenderer renderer) {
         DefaultXYDataset dataset = new DefaultXYDataset();
         dataset.addSeries(name, new double[][] {x, y});
-        allSeries.add(new Series(dataset, renderer));
+        plot.setDataset(count, dataset);
+        plot.setRenderer(count, renderer);
+        count++;
         return this;
     }
 
