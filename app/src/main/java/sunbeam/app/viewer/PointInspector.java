@@ -160,10 +160,7 @@ public final class PointInspector {
                 });
     }
 
-    /**
-     * Returns powers relative to a mirror at the plot's wavelengths, by direct summation over the height samples, without color table or
-     * series expansion; an empty array once {@code outdated} is true.
-     */
+    /** Returns powers relative to a mirror at the plot's wavelengths, by direct sums over the heights; none once {@code outdated} is true. */
     private static double[] spectrum(SceneData data, DirectionPair pair, BooleanSupplier outdated) {
         ExactLight light = data.scene()
                 .method()

@@ -26,11 +26,18 @@ import sunbeam.precompute.setting.Choices;
 @Tag("window")
 final class ViewerPatchWindowTest extends ViewerInAWindow {
     @Test
-    void aPatchIsLoadedAndThePictureFollows() throws Exception {
+    void aPatchIsLoadedWhileTheOldPictureIsDimmedAndNotFinalAndThePictureFollows() throws Exception {
         BufferedImage before = picture();
         int panelBefore = onEvents(() -> viewer.window.controls.getWidth());
         Path file = Pictures.descriptor(folder, "waves");
-        load(file);
+        onEvents(() -> {
+            int bright = brightness(painted(viewer.window.picture));
+            viewer.files.loadPatch(file);
+            // Nothing is loaded yet, since results come back on this thread.
+            assertThat(label("status").getText()).startsWith("Loading waves.json");
+            assertThat(viewer.presenter.finished()).isEmpty();
+            assertThat(brightness(painted(viewer.window.picture))).isLessThan(bright);
+        });
         awaitPatch(file.toString());
         awaitFinal();
         assertThat(different(before, picture(), false))
@@ -127,22 +134,6 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
 
     private void awaitComplaint(String name, String reason) throws Exception {
         await(() -> message().contains(name) && message().contains(reason) && !isBusy());
-    }
-
-    @Test
-    void whileAPatchIsLoadedTheStatusNamesItAndTheOldPictureIsDimmedAndNotFinal() throws Exception {
-        int before = brightness(onEvents(() -> painted(viewer.window.picture)));
-        Path file = Pictures.descriptor(folder, "next");
-        onEvents(() -> {
-            viewer.files.loadPatch(file);
-            // Nothing is loaded yet, since results come back on this thread.
-            assertThat(label("status").getText()).startsWith("Loading next.json");
-            assertThat(viewer.presenter.finished()).isEmpty();
-            assertThat(brightness(painted(viewer.window.picture))).isLessThan(before);
-        });
-        awaitPatch(file.toString());
-        awaitFinal();
-        await(() -> onEvents(() -> label("status").getText()).startsWith("Final"));
     }
 
     private static int brightness(BufferedImage image) {

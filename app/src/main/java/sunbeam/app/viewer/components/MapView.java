@@ -214,9 +214,7 @@ public final class MapView extends JComponent {
             return x * x + y * y < 1 ? Optional.of(new Point2D.Double(x, y)) : Optional.empty();
         }
 
-        /**
-         * Paints the marks on the BRDF map, a disc with the given left edge and diameter in pixels; order 0 is the same for all gratings.
-         */
+        /** Paints marks on the BRDF map, a disc with this left edge and diameter in pixels; order 0 is the same for all gratings. */
         void paint(Graphics2D graphics, Labels labels, boolean withMirror, double left, double side) {
             double apart = 0.5 * side * GREEN * wave.length();
             int step = (int) Math.max(1, Math.ceil(CLOSEST / apart));

@@ -14,11 +14,7 @@ import sunbeam.precompute.optics.Direction;
 
 /** Renderer of viewer states in several qualities, driven by {@link RenderLoop}. Used by the render thread only. */
 public interface Stage extends AutoCloseable {
-    /**
-     * Description of the picture that the window shows.
-     *
-     * @param isOther true for the comparison method
-     */
+    /** Description of the picture that the window shows, by the scene's own method or by the comparison method. */
     record ViewState(LoadedScene scene, int width, int height, boolean isOther) {
         public SceneData firstPart() {
             return scene.firstPart();
