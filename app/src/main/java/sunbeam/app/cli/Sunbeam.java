@@ -61,7 +61,10 @@ public final class Sunbeam {
             commandLine.setParameterExceptionHandler((failure, all) -> failures.report(failure));
             commandLine.setExecutionExceptionHandler((failure, command, result) -> failures.report(failure));
             commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed, root.quiet));
-            requireText(plain);
+            // By U+FFFD Java replaces bytes that are not UTF-8: a file of this name would be another one.
+            plain.forEach(argument -> UsageException.throwIf(
+                    argument.contains("\ufffd"),
+                    "the argument '" + argument + "' is not text in UTF-8; give the file a name that is"));
             return checkedExitCode(commandLine.execute(plain.toArray(String[]::new)), failures);
         } catch (Throwable failure) {
             return failures.report(failure);
@@ -103,13 +106,6 @@ public final class Sunbeam {
         } catch (RuntimeException failure) {
             throw new CommandLine.ExecutionException(commandLine, failure.getMessage(), failure);
         }
-    }
-
-    /** Refuses arguments with U+FFFD, by which Java replaces bytes that are not UTF-8: a file of this name would be another one. */
-    private static void requireText(List<String> arguments) {
-        arguments.forEach(argument -> UsageException.throwIf(
-                argument.contains("\ufffd"),
-                "the argument '" + argument + "' is not text in UTF-8; give the file a name that is"));
     }
 
     private int checkedExitCode(int code, Failures failures) {

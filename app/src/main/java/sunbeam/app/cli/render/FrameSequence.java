@@ -11,7 +11,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import jrtr.GraphicsException;
@@ -125,8 +124,10 @@ public final class FrameSequence implements AutoCloseable {
         if (first < 0) {
             return places;
         }
-        exposure = (missing.get(0) ? OptionalDouble.empty() : recordedExposure(files.get(0)))
-                .orElseGet(() -> automaticExposure(scenes.get(first)));
+        String recorded = missing.get(0) ? "" : PngText.read(files.get(0)).getOrDefault("Exposure", "");
+        exposure = Decimals.parse(recorded)
+                .orElseGet(() -> sum.exposure(scenes.get(first), width, height, TimedTiles.large(), () -> false)
+                        .orElseThrow());
         try (Progress progress = start(Collections.frequency(missing, true))) {
             for (int i = first; i < scenes.size(); i++) {
                 if (missing.get(i) || linear != null) {
@@ -159,15 +160,6 @@ public final class FrameSequence implements AutoCloseable {
             progress.step(tile.pixels());
         }
         sum.validate();
-    }
-
-    private double automaticExposure(Scene scene) {
-        return sum.exposure(scene, width, height, TimedTiles.large(), () -> false)
-                .orElseThrow();
-    }
-
-    private static OptionalDouble recordedExposure(Path frame) {
-        return Decimals.parse(PngText.read(frame).getOrDefault("Exposure", ""));
     }
 
     private Path draw(Scene scene, Path file, boolean missing, Overwrite overwrite, Path linear, Progress progress) {

@@ -208,13 +208,6 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(folder.toFile().list()).contains("result.csv", "result.png");
     }
 
-    @Test
-    void alongTheRidgesThereIsNoPeriod() throws IOException {
-        assertThat(run("--patch blaze --azimuth 90")).isEqualTo(4);
-        assertThat(out.toString()).contains("No order found along azimuth 90 degrees; nothing repeats");
-        assertThat(folder.toFile().list()).isEmpty();
-    }
-
     /** At 75 degrees the order of 291 nm is seen up to 572 nm. */
     @Test
     void aShortPeriodIsLookedAtWhereItIsSeen() throws IOException {
