@@ -104,7 +104,7 @@ final class LayersTest {
                     + " NumberFormat.getIntegerInstance NumberFormat.getPercentInstance DateFormat.getInstance"
                     + " DateFormat.getDateInstance DateFormat.getTimeInstance DateTimeFormatter.ofPattern"
                     + " DateTimeFormatter.ofLocalizedDate DateTimeFormatter.ofLocalizedDateTime Locale.getDefault")
-            .split(" "));
+            .split(" ", -1));
 
     @ArchTest
     static final ArchRule everyFormatIsToldItsLocale = noClasses()

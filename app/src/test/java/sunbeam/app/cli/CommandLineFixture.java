@@ -48,11 +48,7 @@ public abstract class CommandLineFixture {
      * @param more further words, also with blanks in them
      */
     protected final int sunbeam(String line, String... more) {
-        return sunbeam(line.split(" ", -1), more);
-    }
-
-    protected final int sunbeam(String[] first, String... more) {
-        String[] words = Arrays.stream(with(first, more))
+        String[] words = Stream.concat(Arrays.stream(line.split(" ", -1)), Arrays.stream(more))
                 .map(word -> word.startsWith("@") ? folder + "/" + word.substring(1) : word)
                 .toArray(String[]::new);
         return new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(out), new PrintWriter(err)).run(words);
@@ -63,10 +59,6 @@ public abstract class CommandLineFixture {
         forgetOutput();
         assertThat(sunbeam(line)).as("%s: %s", line, err).isEqualTo(code.code());
         assertThat(err.toString()).contains(words).hasLineCount(1);
-    }
-
-    protected static String[] with(String[] first, String... more) {
-        return Stream.concat(Arrays.stream(first), Arrays.stream(more)).toArray(String[]::new);
     }
 
     /** Returns the rows of a file of comma-separated numbers, without its head. */

@@ -20,6 +20,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.ShutdownHook.CancelledException;
 import sunbeam.app.terminal.UsageException;
@@ -74,8 +75,7 @@ final class SunbeamTest extends CommandLineFixture {
             doctor --sise=3      | sunbeam: unknown option '--sise=3'; see sunbeam doctor --help
             """)
     void whatBeginnersWriteIsOneLineWithTheRemedy(String commandLine, String message) {
-        assertThat(sunbeam(commandLine)).isEqualTo(2);
-        assertThat(err.toString()).contains(message).hasLineCount(1);
+        assertComplaint(ExitCode.USAGE, commandLine, message);
     }
 
     @Test

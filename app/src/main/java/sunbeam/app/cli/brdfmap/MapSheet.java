@@ -48,7 +48,7 @@ record MapSheet(List<Result> maps, DisplayTransform display) {
     }
 
     /** Returns a paragraph for the patch, one for light and window with remarks on what differs from the defaults, and the last one. */
-    static List<String> caption(Result map, String remarks, Choices asked, String last) {
+    private static List<String> caption(Result map, String remarks, Choices asked, String last) {
         Patch patch = map.patch();
         Direction light = map.light();
         ReferenceMethod exact = map.method().referenceMethod(patch.heights());

@@ -13,7 +13,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
@@ -25,7 +24,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 import sunbeam.app.cli.CommandLineFixture;
-import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
@@ -33,13 +31,10 @@ import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
-import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.setting.Choices;
 
@@ -257,32 +252,5 @@ class BrdfMapCommandTest extends CommandLineFixture {
                 .fma(across, new Vector3d(-Math.sin(Math.toRadians(PHI)), Math.cos(Math.toRadians(PHI)), 0))
                 .normalize();
         return new Direction(place.x, place.y, place.z);
-    }
-
-    private static final Choices ASKED =
-            new CommandLine(new MethodOptions()).<MethodOptions>getCommand().choices();
-    private static final Direction LIGHT = Direction.ofDegrees(30, 0);
-
-    /** Returns a scan of 20 x 10 um. */
-    private static Patch scan(Patch.Repetition repetition) {
-        double[] heights = new double[32 * 16];
-        Arrays.setAll(heights, i -> 1e-8 * (i * i % 7));
-        HeightMap map = new HeightMap(32, 16, 20e-6 / 32, 10e-6 / 16, heights);
-        return new Patch("scan", map, map, "made up", List.of(), List.of(), List.of(), List.of(), repetition);
-    }
-
-    @Test
-    void whatIsNotAsByDefaultIsToldAndNothingElse() {
-        assertThat(caption(Patch.Repetition.NONE, "refractive index 0.97+6.5i; "))
-                .contains("; refractive index 0.97+6.5i; coherence length 10 um (the scan's height), ");
-        assertThat(caption(Patch.Repetition.PERIODIC, ""))
-                .contains("azimuth 0\u00b0; coherence length 10 um, ")
-                .endsWith("; exposure 2");
-    }
-
-    private static String caption(Patch.Repetition repetition, String remarks) {
-        MaterialMap.Result map =
-                new MaterialMap.Result(scan(repetition), LIGHT, Methods.of(ASKED), "", "", 10e-6, null);
-        return String.join("; ", MapSheet.caption(map, remarks, ASKED, "exposure 2"));
     }
 }

@@ -9,11 +9,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.IntStream;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -111,22 +109,6 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(nanometers("/peaks_interpolated/mean_m")).isCloseTo(2500.3, within(tolerance));
         assertThat(report().has("plan")).isEqualTo(!method.equals("reference"));
         assertThat(PngText.read(folder.resolve("result.png"))).containsEntry("Method", method);
-    }
-
-    @Test
-    void theResponseIsWrittenWithItsAxes() throws IOException {
-        assertSuccess(run("--patch sinusoid --angles -56:-38:0.15"));
-        List<String> lines = Files.readAllLines(folder.resolve("result.csv"));
-        assertThat(lines).hasSize(1 + 9);
-        assertThat(lines.get(0))
-                .startsWith("wavelength_nm,-56.000000,-55.850000,")
-                .endsWith(",-38.000000");
-        assertThat(lines.get(1))
-                .startsWith("3.800000000000e+02,")
-                .satisfies(line -> assertThat(line.split(",")).hasSize(122));
-        assertThat(report().at("/angles_deg/count").intValue()).isEqualTo(121);
-        assertThat(ImageIO.read(folder.resolve("result.png").toFile()).getWidth())
-                .isGreaterThan(800);
     }
 
     @Test
