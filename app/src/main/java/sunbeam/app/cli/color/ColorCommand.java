@@ -129,7 +129,6 @@ public final class ColorCommand extends FileCommand {
             files(output).checkWritable();
         }
         CieTable cie = LightTable.of(choices);
-        PrintWriter err = err();
         List<Patch> patches = compared.load(patchOptions, choices, environment().progress());
         String names = patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
         Path picture = output != null ? output : Path.of("color-" + names + ".png");
@@ -147,12 +146,13 @@ public final class ColorCommand extends FileCommand {
             DisplayTransform display = exposure.display(factor, choices);
             settings = describe(patches.get(0), choices, material, display);
             settings.put("renderer", context.info().renderer());
-            ViewColor.Scale scale = new ViewColor.Scale(display, choices.get(TOLERANCE), cie);
             reports = surfaces.stream()
-                    .map(surface -> surface.report(context, scale))
+                    .map(surface -> surface.report(context, display, choices.get(TOLERANCE)))
                     .toList();
         }
-        ExitCode judged = judge(reports, err);
+        boolean black =
+                reports.stream().anyMatch(report -> report.colors().stream().allMatch(color -> color.rgb() == 0));
+        ExitCode judged = DoubtfulPicture.judge(patches, black, "the picture", exposure.isAutomatic(), err());
         for (ColorReport report : reports) {
             String name = reports.size() > 1 ? Quoted.oneLine(report.patch().name()) + ": " : "";
             json.text(out()).println(name + String.join(System.lineSeparator() + "  ", report.lines()));
@@ -170,7 +170,8 @@ public final class ColorCommand extends FileCommand {
         settings.forEach((key, value) ->
                 text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
         write(files, tree, ColorReport.csv(reports), sheet.draw(), text);
-        return judged.code();
+        boolean colored = reports.stream().allMatch(ColorReport::colored);
+        return (colored ? judged : ExitCode.TOLERANCE_MISSED).code();
     }
 
     private FileGroup files(Path picture) {
@@ -202,14 +203,6 @@ public final class ColorCommand extends FileCommand {
         settings.put("primaries", ValueKind.name(display.primaries()));
         settings.put("tolerance", choices.get(TOLERANCE));
         return settings;
-    }
-
-    private ExitCode judge(List<ColorReport> reports, PrintWriter err) {
-        boolean black =
-                reports.stream().anyMatch(report -> report.colors().stream().allMatch(color -> color.rgb() == 0));
-        List<Patch> patches = reports.stream().map(ColorReport::patch).toList();
-        ExitCode judged = DoubtfulPicture.judge(patches, black, "the picture", exposure.isAutomatic(), err);
-        return reports.stream().allMatch(report -> report.colored()) ? judged : ExitCode.TOLERANCE_MISSED;
     }
 
     /** Plans the method for a surface's views. Prints its warnings in one line, or with {@code --explain} in full. */

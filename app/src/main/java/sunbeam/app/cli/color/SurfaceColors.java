@@ -21,6 +21,7 @@ import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
@@ -225,10 +226,10 @@ final class SurfaceColors {
         return verdict().hasColor() && !outsideGloss().isEmpty();
     }
 
-    ColorReport report(RenderContext context, ViewColor.Scale scale) {
+    ColorReport report(RenderContext context, DisplayTransform display, double tolerance) {
         boolean colored = isColored();
         List<ViewColor> seen = IntStream.range(0, views.size())
-                .mapToObj(i -> ViewColor.of(views.get(i), colors[i], scale))
+                .mapToObj(i -> ViewColor.of(views.get(i), colors[i], display, tolerance, setup.cie()))
                 .toList();
         List<ViewColor> outside = seen.stream()
                 .filter(color -> colored && isColor(color.view(), color.xyz()))

@@ -65,16 +65,13 @@ record ViewColor(
         }
     }
 
-    record Scale(DisplayTransform display, double tolerance, CieTable cie) {}
-
-    static ViewColor of(View view, double[] xyz, Scale scale) {
-        double exposure = scale.display().exposure();
+    static ViewColor of(View view, double[] xyz, DisplayTransform display, double tolerance, CieTable cie) {
+        double exposure = display.exposure();
         double[] exposed = {exposure * xyz[0], exposure * xyz[1], exposure * xyz[2]};
-        int rgb = scale.display().rgb(xyz);
         Chromaticity chromaticity = Chromaticity.of(xyz);
-        Chromaticity.Hue hue = chromaticity.hue(scale.cie());
-        double uncertainty = uncertainty(exposed, 3 * scale.tolerance());
-        return new ViewColor(view, xyz, rgb, chromaticity, hue, lab(exposed), uncertainty);
+        Chromaticity.Hue hue = chromaticity.hue(cie);
+        double uncertainty = uncertainty(exposed, 3 * tolerance);
+        return new ViewColor(view, xyz, display.rgb(xyz), chromaticity, hue, lab(exposed), uncertainty);
     }
 
     /**

@@ -181,8 +181,10 @@ public final class ExportCommand extends FileCommand {
         text.println(metadata.error());
         table.notes().forEach(text::println);
         json.print(out, metadata.fields(), written);
+        ErrorStatistics errors = table.errors();
+        Certificate.Limits limits = Certificate.Limits.ofExport(tolerance);
         Certificate certificate = new Certificate(
-                "", true, "", table.errors(), ErrorStatistics.of(), Certificate.Limits.ofExport(tolerance));
+                errors.pairs(), false, metadata.errors().quantity(), errors, ErrorStatistics.of(), limits);
         if (!certificate.missed()) {
             return ExitCode.OK.code();
         }

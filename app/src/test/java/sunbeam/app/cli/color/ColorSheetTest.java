@@ -38,7 +38,9 @@ class ColorSheetTest {
         return ViewColor.of(
                 view,
                 new double[] {0.6 * factor, 0.5 * factor, 0.1 * factor},
-                new ViewColor.Scale(new DisplayTransform(EXPOSURE, Tone.COMPRESS), 1e-3, CIE));
+                new DisplayTransform(EXPOSURE, Tone.COMPRESS),
+                1e-3,
+                CIE);
     }
 
     private static ColorReport report(String name) {
