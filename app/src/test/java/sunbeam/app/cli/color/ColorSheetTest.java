@@ -43,13 +43,13 @@ class ColorSheetTest {
                 CIE);
     }
 
-    private static ColorReport report(String name) {
+    private static ColorReport report() {
         List<ViewColor> colors = Stream.of(true, false)
                 .flatMap(along -> IntStream.rangeClosed(-8, 8).mapToObj(i -> seen(along, 10 * i, 1)))
                 .collect(Collectors.toCollection(ArrayList::new));
         ViewColor purest = seen(true, -30, 1);
         HeightMap flat = new HeightMap(2, 2, 1e-6, 1e-6, new double[4]);
-        Patch patch = new Patch(name, flat, name, List.of());
+        Patch patch = new Patch("beetle", flat, "beetle", List.of());
         return new ColorReport(
                 patch,
                 GratingPeriod.of(patch),
@@ -69,30 +69,24 @@ class ColorSheetTest {
                 .toArray();
     }
 
-    private static BufferedImage sheet(String... names) {
-        Map<String, Object> settings =
-                Map.of("exposure", EXPOSURE, "index", "1.5", "method", "full", "options", "tolerance 0.001");
-        List<ColorReport> reports = Stream.of(names).map(ColorSheetTest::report).toList();
-        return new ColorSheet(reports, settings, CIE).draw();
-    }
-
     @Test
     void theTitleSaysTheColorOfTheStripAndTheTables() {
-        ColorReport report = report("beetle");
+        ColorReport report = report();
         String told = report.purest().orElseThrow().hex();
-
+        Map<String, Object> settings =
+                Map.of("exposure", EXPOSURE, "index", "1.5", "method", "full", "options", "tolerance 0.001");
+        BufferedImage sheet = new ColorSheet(List.of(report), settings, CIE).draw();
         assertThat(ColorSheet.title(report)).contains("purest (square) " + told + " at -30\u00b0");
         assertThat(report.lines())
                 .anyMatch(line -> line.contains("purest color at -30 degrees") && line.contains(told));
         // A pixel of the cell at -30 degrees, beside its mark, in the strip below the title.
         int x = 130 + (50 * (1280 - 160)) / 160;
-        assertThat(String.format("#%06x", sheet("beetle").getRGB(x, 80) & 0xffffff))
-                .isEqualTo(told);
+        assertThat(String.format("#%06x", sheet.getRGB(x, 80) & 0xffffff)).isEqualTo(told);
     }
 
     @Test
     void blackHasNoHueInTheTable() throws IOException {
-        ColorReport report = report("beetle");
+        ColorReport report = report();
         report.colors().set(0, seen(true, -80, 1e-10));
         ByteArrayOutputStream table = new ByteArrayOutputStream();
         ColorReport.csv(List.of(report)).writeTo(table);

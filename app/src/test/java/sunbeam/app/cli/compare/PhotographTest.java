@@ -118,10 +118,8 @@ class PhotographTest {
     @ParameterizedTest
     @CsvSource({
         "1, top left, top right", "2, top right, top left", "3, bottom right, bottom left",
-                "4, bottom left, bottom right",
-        "5, top left, bottom left", "6, top right, bottom right", "7, bottom right, top right",
-                "8, bottom left, top left",
-        "0, top left, top right"
+        "4, bottom left, bottom right", "5, top left, bottom left", "6, top right, bottom right",
+        "7, bottom right, top right", "8, bottom left, top left", "0, top left, top right"
     })
     void isUprightWhateverItsOrientation(int orientation, String begin, String end) throws IOException {
         // The first of two rows of three begins with white and ends with half of its light.

@@ -12,7 +12,6 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import java.util.regex.Pattern;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
@@ -127,12 +126,7 @@ class ShaderLanguageTest extends InAContext {
         for (int i = 0; i < roots.length; i++) {
             roots[i] = (float) (256 * random.nextDouble());
         }
-        String sampler = Pattern.compile("uniform (?:highp )?sampler2DArray (\\w+)")
-                .matcher(shader)
-                .results()
-                .map(found -> found.group(1))
-                .findFirst()
-                .orElseThrow();
+        String sampler = shader.replaceFirst("(?s).*?uniform (?:highp )?sampler2DArray (\\w+).*", "$1");
         try (ShaderProgram program = context.createFullScreenProgram(library.load("test.frag"));
                 FloatTexture table = context.createFloatTexture("table", spec);
                 FloatTarget target = context.createFloatTarget("test", FloatTarget.Spec.color(SIDE, SIDE))) {
