@@ -6,41 +6,38 @@ import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
-import org.joml.Vector2f;
-import org.joml.Vector3f;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
-/** Draws the BRDF map of one light direction, tile by tile, so that no draw takes seconds. */
-public final class BrdfMapRenderer implements AutoCloseable {
+/**
+ * Draws BRDF maps, each of one light direction, tile by tile, so that no draw takes seconds.
+ *
+ * @param size pixels a side
+ * @param turn angle of the patch about the normal, in radians, counterclockwise
+ */
+public record BrdfMapRenderer(
+        RenderContext context, UploadedTables method, ShaderProgram program, FloatTarget target, int size, double turn)
+        implements AutoCloseable {
     // Four of llvmpipe's blocks of 64 x 64 pixels, one per processor; two seconds at 0.12 ms per pixel.
     private static final int SIDE = 128;
 
     // Tiles in corners, which come first, are faster than the disc's: a tile may take five times as long.
     private static final double BUDGET_NANOSECONDS = 1e8;
 
-    private final RenderContext context;
-    private final UploadedTables method;
-    private final ShaderProgram program;
-    private final FloatTarget target;
-    private final int size;
-    private final double turn;
-
-    public BrdfMapRenderer(RenderContext context, UploadedTables method, int size) {
-        this(context, method, size, 0);
+    public BrdfMapRenderer {
+        program.set("mapSize", (float) size, (float) size);
+        program.set("patchTurn", (float) Math.cos(turn), (float) Math.sin(turn));
     }
 
-    /** Creates a renderer of maps with {@code size} pixels a side. The patch is turned about the normal, in radians, counterclockwise. */
     public BrdfMapRenderer(RenderContext context, UploadedTables method, int size, double turn) {
-        this.context = context;
-        this.method = method;
-        this.size = size;
-        this.turn = turn;
-        this.program = method.program("brdf_map.frag");
-        this.target = context.createFloatTarget("BRDF map", FloatTarget.Spec.color(size, size));
-        program.set("mapSize", new Vector2f(size, size));
-        program.set("patchTurn", new Vector2f((float) Math.cos(turn), (float) Math.sin(turn)));
+        this(
+                context,
+                method,
+                method.program("brdf_map.frag"),
+                context.createFloatTarget("BRDF map", FloatTarget.Spec.color(size, size)),
+                size,
+                turn);
     }
 
     /** Returns a map in linear XYZ of rho, NaN outside the disc; {@code progress} gets the number of pixels of each tile. */
@@ -72,7 +69,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
     /** Draws a tile of the map and waits for it. */
     public void draw(Direction light, Tile tile) {
         Direction inPatch = light.turned(-turn);
-        program.set("lightDirection", new Vector3f((float) inPatch.x(), (float) inPatch.y(), (float) inPatch.z()));
+        program.set("lightDirection", (float) inPatch.x(), (float) inPatch.y(), (float) inPatch.z());
         context.drawFullScreen(program, method.textures(), target, tile);
         context.finish();
     }

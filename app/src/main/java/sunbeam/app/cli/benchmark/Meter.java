@@ -96,7 +96,7 @@ record Meter(RenderContext context, int size, Direction light) {
             ErrorStatistics errors = exact.filter(views -> method.isNormalizedToMirror())
                     .map(views -> Comparison.relative(views.compare(context, method, drawn)))
                     .orElseGet(ErrorStatistics::of);
-            try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, drawn, size)) {
+            try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, drawn, size, 0)) {
                 String patch = setup.patch().name();
                 double frame = frameSeconds(renderer);
                 return new Measurement(

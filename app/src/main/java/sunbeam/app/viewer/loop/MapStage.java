@@ -55,7 +55,7 @@ final class MapStage {
             BiConsumer<BufferedImage, Boolean> drawn) {
         int[] sizes = isFinal ? new int[] {PREVIEW_SIZE, SIZE} : new int[] {PREVIEW_SIZE};
         for (int size : sizes) {
-            try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
+            try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size, 0)) {
                 List<Tile> blocks = Tile.whole(size, size).divide(TimedTiles.LARGEST);
                 if (!tiles.draw(blocks, interrupted, tile -> renderer.draw(light, tile))) {
                     return;

@@ -105,7 +105,7 @@ final class MethodProbe {
         LinearPicture map;
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);
-                BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
+                BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size, 0)) {
             map = renderer.render(normal, pixels -> {});
         }
         for (int pixel = 0; pixel < size * size; pixel++) {
