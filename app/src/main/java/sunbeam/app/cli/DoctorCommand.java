@@ -91,6 +91,7 @@ public final class DoctorCommand extends ReportingCommand {
         }
 
         private String text() {
+            // As wide as the longest name, that of the operating system.
             String line = Text.format("%-4s  %-16s  %s", remedy.isEmpty() ? "ok" : "FAIL", name, value);
             return line
                     + remedy.map(words -> System.lineSeparator() + " ".repeat(24) + words)

@@ -52,19 +52,17 @@ final class CollectionFolder {
     private final ObjectMapper json = new ObjectMapper();
     private final Path folder;
     private final String part;
-    private final Overwrite overwrite;
     private final Map<String, ObjectNode> earlier = new HashMap<>();
 
-    private CollectionFolder(Path folder, String part, Overwrite overwrite) {
+    private CollectionFolder(Path folder, String part) {
         this.folder = folder;
         this.part = part;
-        this.overwrite = overwrite;
     }
 
     /** Creates the folder if it is missing, and checks that its table can be written; reads the reports of earlier runs to resume. */
     static CollectionFolder open(Path folder, TaskPart task, Overwrite overwrite, boolean resumes) {
         String part = task.parts() == 1 ? "" : "-" + task.number() + "-of-" + task.parts();
-        CollectionFolder opened = new CollectionFolder(folder, part, overwrite);
+        CollectionFolder opened = new CollectionFolder(folder, part);
         OutputFolder.create(folder);
         OutputFolder.create(folder.resolve("surfaces"));
         AtomicFile.checkWritable(opened.file("table", ".csv"), overwrite);
