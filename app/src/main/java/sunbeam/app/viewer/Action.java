@@ -18,8 +18,6 @@ import sunbeam.app.scene.Motion;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.FileActions.Kind;
 import sunbeam.app.viewer.ScenePresenter.Overlay;
-import sunbeam.app.viewer.components.Divider;
-import sunbeam.app.viewer.components.PictureView;
 import sunbeam.app.viewer.model.Drags;
 
 /** Key actions, from which menus, key bindings and help derive; HelpTest compares docs/viewer.md with them. */
@@ -40,7 +38,7 @@ enum Action {
             Group.LIGHT,
             "while it is held, the light follows the mouse",
             "L, released L",
-            (viewer, stroke) -> viewer.window.picture.holdLight(!stroke.isOnKeyRelease())),
+            (viewer, stroke) -> viewer.window.picture.isLightHeld = !stroke.isOnKeyRelease()),
     TURNTABLE(Group.LIGHT, "start or stop the turntable", "T", Motion.TURNTABLE),
     LIGHT_SWEEP(Group.LIGHT, "start or stop the light's sweep around the model", "S", Motion.LIGHT_SWEEP),
     PAN(Group.CAMERA, "pan by 2 % of the picture's height", "ctrl arrows", Action::pan),

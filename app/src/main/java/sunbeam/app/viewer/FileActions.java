@@ -37,7 +37,7 @@ import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.terminal.Environment;
-import sunbeam.app.viewer.components.ControlPanel.ControlOrigin;
+import sunbeam.app.viewer.ControlPanel.ControlOrigin;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.Stage.ViewState;

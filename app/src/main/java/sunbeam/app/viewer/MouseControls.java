@@ -16,8 +16,6 @@ import org.joml.Vector3f;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.Action.Group;
 import sunbeam.app.viewer.Action.Help;
-import sunbeam.app.viewer.components.PictureView;
-import sunbeam.app.viewer.components.SkinPoint;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.ViewerModel;
 
@@ -46,7 +44,7 @@ public final class MouseControls extends MouseAdapter {
                 new Help(Group.LIGHT, "right drag, Shift + left drag", "moves the light"),
                 (controls, event) -> (isDrag(event) && SwingUtilities.isRightMouseButton(event))
                         || isLeftDrag(event, InputEvent.SHIFT_DOWN_MASK)
-                        || (event.getID() == MouseEvent.MOUSE_MOVED && controls.view.isLightHeld()),
+                        || (event.getID() == MouseEvent.MOUSE_MOVED && controls.view.isLightHeld),
                 (controls, event) ->
                         controls.model.change(scene -> Drags.lit(scene, controls.right(event), controls.up(event)))),
         PAN(

@@ -14,7 +14,6 @@ import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.viewer.components.MethodChoice;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;

@@ -23,10 +23,6 @@ import javax.swing.JScrollPane;
 import javax.swing.JSeparator;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.Scrollable;
-import sunbeam.app.viewer.components.ControlPanel;
-import sunbeam.app.viewer.components.MapView;
-import sunbeam.app.viewer.components.PickPanel;
-import sunbeam.app.viewer.components.PictureView;
 import sunbeam.app.viewer.model.ViewerModel;
 
 /** Window with its components and their layout. {@link Viewer} connects their behavior. */

@@ -50,8 +50,6 @@ import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ScenePresenter.Overlay;
-import sunbeam.app.viewer.components.PictureView;
-import sunbeam.app.viewer.components.SkinPoint;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchLoader.PatchRequest;

@@ -22,7 +22,6 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
-import sunbeam.app.viewer.components.PictureView;
 import sunbeam.precompute.setting.Choices;
 
 @Tag("window")

@@ -33,8 +33,6 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.viewer.FileActions.RecentFiles;
 import sunbeam.app.viewer.ViewMeasurement.StartJournal;
-import sunbeam.app.viewer.components.MethodChoice;
-import sunbeam.app.viewer.components.PictureView;
 import sunbeam.app.viewer.loop.GraphicsStage;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;

@@ -18,8 +18,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.render.Pick;
 import sunbeam.app.viewer.ScenePresenter.Overlay;
-import sunbeam.app.viewer.components.SkinPoint;
-import sunbeam.app.viewer.components.SpectrumPlot;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;

@@ -19,7 +19,6 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.viewer.ScenePresenter.Overlay;
-import sunbeam.app.viewer.components.PictureView;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;

@@ -25,7 +25,6 @@ import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.ScenePresenter.Overlay;
-import sunbeam.app.viewer.components.Divider;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.MethodSettings;

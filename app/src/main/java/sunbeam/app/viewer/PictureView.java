@@ -1,4 +1,4 @@
-package sunbeam.app.viewer.components;
+package sunbeam.app.viewer;
 
 import java.awt.BorderLayout;
 import java.awt.Color;
@@ -39,7 +39,9 @@ public final class PictureView extends JComponent {
     private transient Optional<BufferedImage> strokes = Optional.empty();
     private transient List<Optional<Point>> marks = List.of();
     private boolean isHintShown = true;
-    private boolean isLightHeld;
+    /** True while the light follows the mouse without a button. */
+    boolean isLightHeld;
+
     public final transient Divider divider = new Divider(this::repaint);
 
     public PictureView() {
@@ -58,15 +60,6 @@ public final class PictureView extends JComponent {
             isHintShown = false;
             repaint();
         }
-    }
-
-    /** Sets whether the light follows the mouse without a button. */
-    public void holdLight(boolean value) {
-        isLightHeld = value;
-    }
-
-    public boolean isLightHeld() {
-        return isLightHeld;
     }
 
     /** In screen pixels; 0 if the component has no width. */

@@ -1,4 +1,4 @@
-package sunbeam.app.viewer.components;
+package sunbeam.app.viewer;
 
 import java.awt.BasicStroke;
 import java.awt.Color;

@@ -1,4 +1,4 @@
-package sunbeam.app.viewer.components;
+package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -16,7 +16,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.viewer.components.MapView.GratingOrders;
+import sunbeam.app.viewer.MapView.GratingOrders;
 import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.optics.Direction;

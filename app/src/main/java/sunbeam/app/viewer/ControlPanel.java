@@ -1,4 +1,4 @@
-package sunbeam.app.viewer.components;
+package sunbeam.app.viewer;
 
 import java.awt.BorderLayout;
 import java.awt.event.MouseAdapter;
@@ -21,9 +21,9 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.BodyTexture;
-import sunbeam.app.viewer.components.SettingRows.NameBox;
-import sunbeam.app.viewer.components.SettingRows.Scale;
-import sunbeam.app.viewer.components.SettingRows.ValueSlider;
+import sunbeam.app.viewer.SettingRows.NameBox;
+import sunbeam.app.viewer.SettingRows.Scale;
+import sunbeam.app.viewer.SettingRows.ValueSlider;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.precompute.method.MethodPlan;

@@ -1,4 +1,4 @@
-package sunbeam.app.viewer.components;
+package sunbeam.app.viewer;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
@@ -30,7 +30,7 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
-import sunbeam.app.viewer.components.ControlPanel.ControlOrigin;
+import sunbeam.app.viewer.ControlPanel.ControlOrigin;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Text;

@@ -1,11 +1,11 @@
-package sunbeam.app.viewer.components;
+package sunbeam.app.viewer;
 
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
-import sunbeam.app.viewer.components.ControlPanel.ControlOrigin;
+import sunbeam.app.viewer.ControlPanel.ControlOrigin;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;

@@ -1,2 +1,0 @@
-/** Swing components of the window. */
-package sunbeam.app.viewer.components;
