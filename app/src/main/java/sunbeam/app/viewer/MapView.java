@@ -32,7 +32,7 @@ public final class MapView extends JComponent {
     private transient List<GratingOrders> orders = List.of();
     private String caption = "";
     private String ordersInWords;
-    private boolean isNewest;
+    boolean isNewest;
 
     public MapView() {
         setMinimumSize(new Dimension(100, 100 + CAPTION));

@@ -97,6 +97,25 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         assertASecondPointStandsBesideTheFirst();
     }
 
+    @Test
+    void theMapIsThatOfThePickedPointAndOfTheNewestLight() throws Exception {
+        onEvents(() -> viewer.presenter.toggle(Overlay.MAP));
+        BufferedImage facing = map();
+        doubleClick();
+        BufferedImage picked = map();
+        assertThat(different(facing, picked, false)).as("pixels with the ring").isPositive();
+        press(KeyEvent.VK_UP);
+        awaitFinal();
+        assertThat(different(picked, map(), false))
+                .as("orders of another light")
+                .isPositive();
+    }
+
+    private BufferedImage map() throws Exception {
+        awaitOnEvents(() -> viewer.window.map.isNewest);
+        return onEvents(() -> painted(viewer.window.map));
+    }
+
     private void assertASecondPointStandsBesideTheFirst() throws Exception {
         SkinPoint first = onEvents(() -> viewer.inspector.point().orElseThrow());
         middle(-80);
