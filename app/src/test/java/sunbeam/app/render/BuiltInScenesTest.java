@@ -28,6 +28,7 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.Mesh;
+import sunbeam.app.scene.mesh.MeshChecks;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.setting.Choices;
@@ -139,13 +140,8 @@ class BuiltInScenesTest extends InAScene {
         Matrix4f toClip = Framing.view(scene.view(), new BoundingSphere(new Vector3f(), 1))
                 .worldToClip(View.Area.whole(width, height));
         float[] reach = new float[2];
-        Vector3f point = new Vector3f();
         for (int vertex = 0; vertex < SNAKE.vertices(); vertex++) {
-            point.set(
-                    SNAKE.positions()[3 * vertex],
-                    SNAKE.positions()[3 * vertex + 1],
-                    SNAKE.positions()[3 * vertex + 2]);
-            toClip.transformProject(point);
+            Vector3f point = toClip.transformProject(new Vector3f(MeshChecks.position(SNAKE, vertex)));
             reach[0] = Math.max(reach[0], Math.abs(point.x));
             reach[1] = Math.max(reach[1], Math.abs(point.y));
         }

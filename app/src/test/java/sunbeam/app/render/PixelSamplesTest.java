@@ -64,9 +64,7 @@ class PixelSamplesTest {
     }
 
     private static void set(ScenePicture picture, int pixel, float light, float opacity) {
-        for (int c = 0; c < 3; c++) {
-            picture.rgba()[4 * pixel + c] = light;
-        }
+        Arrays.fill(picture.rgba(), 4 * pixel, 4 * pixel + 3, light);
         picture.rgba()[4 * pixel + 3] = opacity;
     }
 
@@ -93,11 +91,7 @@ class PixelSamplesTest {
     void theGroundDoesNotCountAsLightOfTheMesh() {
         ScenePicture samples = ScenePicture.empty(2, 2);
         for (int sample = 0; sample < 4; sample++) {
-            boolean isMesh = sample == 0;
-            for (int c = 0; c < 3; c++) {
-                samples.rgba()[4 * sample + c] = isMesh ? 0.25f : 2;
-            }
-            samples.rgba()[4 * sample + 3] = isMesh ? 1 : 0.75f;
+            set(samples, sample, sample == 0 ? 0.25f : 2, sample == 0 ? 1 : 0.75f);
         }
 
         ScenePicture pixel = samples.reduced(2);
@@ -112,8 +106,7 @@ class PixelSamplesTest {
     private static ScenePicture rim() {
         ScenePicture samples = ScenePicture.empty(2, 4);
         for (int i = 0; i < 8; i++) {
-            Arrays.fill(samples.rgba(), 4 * i, 4 * i + 3, i % 2 == 1 && i >= 4 ? 0.5f : 0.2f);
-            samples.rgba()[4 * i + 3] = 1;
+            set(samples, i, i % 2 == 1 && i >= 4 ? 0.5f : 0.2f, 1);
         }
         return samples;
     }
