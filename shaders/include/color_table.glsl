@@ -1,4 +1,4 @@
-// Look-ups in color tables (in double precision: sunbeam.precompute.colortable.TableLookUp). Within a tile of (u, v) a filter interpolates
+// Look-ups in color tables (in double precision: AtlasPages.TableLookUp). Within a tile of (u, v) a filter interpolates
 // the square roots of X, Y and Z; Lagrange's polynomial through SLICE_TAPS slices interpolates along w.
 
 // COLOR_SLICES: slices in w, 1 for a table of one light; COLOR_TILE_SIDE, COLOR_LAYER_SIDE: texels along the side of a tile and of an atlas

@@ -36,13 +36,12 @@ record DepthInterpolation(double[] depths, int taps, double[] denominators) {
         if (distinct.length <= most) {
             return new DepthInterpolation(distinct, 1);
         }
-        return nodes > 2 * TAPS
-                ? equallySpaced(lowest, range, widestStep)
-                : new DepthInterpolation(
-                        IntStream.range(0, nodes)
-                                .mapToDouble(i -> lowest + 0.5 * range * (1 - Math.cos(Math.PI * (i + 0.5) / nodes)))
-                                .toArray(),
-                        nodes);
+        if (nodes > 2 * TAPS) {
+            return equallySpaced(lowest, range, widestStep);
+        }
+        double[] depths = new double[nodes];
+        Arrays.setAll(depths, i -> lowest + 0.5 * range * (1 - Math.cos(Math.PI * (i + 0.5) / nodes)));
+        return new DepthInterpolation(depths, nodes);
     }
 
     private static DoubleStream depths(float[] uvw) {

@@ -91,7 +91,7 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
         }
     }
 
-    /** Returns the number of rays for {@code sectors()}. */
+    /** Returns the first ray of a sector; for the number of sectors, that of rays. */
     private int firstRay(int sector) {
         return (int) ((long) rays * sector / sectors);
     }
