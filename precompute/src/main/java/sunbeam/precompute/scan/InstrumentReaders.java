@@ -29,6 +29,7 @@ final class InstrumentReaders {
     private static final Map<String, SampleType> WSXM_TYPES =
             Map.of("short", SampleType.SIGNED_16, "float", SampleType.FLOAT_32, "double", SampleType.FLOAT_64);
 
+    // Tags of JPK's files.
     private static final int GRID_WIDTH = 0x8042;
     private static final int GRID_HEIGHT = 0x8043;
     private static final int CHANNEL = 0x8050;

@@ -111,8 +111,10 @@ final class NanoscopeReader {
 
     private static String name(Header image) {
         Matcher name = NAME.matcher(image.text("image data", ""));
-        boolean named = name.matches();
-        return !named ? "" : name.group(1) == null || name.group(1).isBlank() ? name.group(2) : name.group(1);
+        if (!name.matches()) {
+            return "";
+        }
+        return name.group(1) == null || name.group(1).isBlank() ? name.group(2) : name.group(1);
     }
 
     private static Header.Quantity scale(Header common, Header image) {

@@ -29,9 +29,7 @@ enum PeriodlessSurface {
         double[] heights = heights(columns, rows, random);
         double scale = Arrays.stream(heights).map(Math::abs).max().orElseThrow();
         double noise = Math.pow(10, -3 + 2 * random.nextDouble());
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] = 1e-7 * (heights[i] / scale + noise * random.nextGaussian());
-        }
+        Arrays.setAll(heights, i -> 1e-7 * (heights[i] / scale + noise * random.nextGaussian()));
         return Leveling.PLANE.apply(new HeightMap(columns, rows, PITCH, PITCH, heights));
     }
 

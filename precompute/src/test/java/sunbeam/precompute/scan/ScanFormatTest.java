@@ -12,6 +12,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
@@ -159,11 +161,10 @@ class ScanFormatTest {
 
     @Test
     void pointsOnNoGridAreRefused() throws IOException {
-        StringBuilder points = new StringBuilder();
-        for (int i = 0; i < 40; i++) {
-            points.append("%d %d %d\n".formatted(i * i % 37, i * 17 % 41, i));
-        }
-        assertRefused(latin1(points.toString()), "no points of a grid");
+        String points = IntStream.range(0, 40)
+                .mapToObj(i -> "%d %d %d\n".formatted(i * i % 37, i * 17 % 41, i))
+                .collect(Collectors.joining());
+        assertRefused(latin1(points), "no points of a grid");
         assertRefused(latin1("0 0 1\n1 0 1\n0 1 1\n1 1 1\n1 1 2\n"), "two points");
     }
 
