@@ -1,16 +1,7 @@
 package sunbeam.app.terminal;
 
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
-
-/**
- * Action that runs if the process is ended (Ctrl-C, SIGTERM) while this hook is open. The set of open hooks is static, since the process is
- * ended as a whole.
- */
+/** Action that runs if the process is ended (Ctrl-C, SIGTERM) while this hook is open. */
 public final class ShutdownHook implements AutoCloseable {
-    private static final Set<ShutdownHook> OPEN = ConcurrentHashMap.newKeySet();
-
-    private final Runnable action;
     private final Thread thread;
 
     /**
@@ -18,19 +9,12 @@ public final class ShutdownHook implements AutoCloseable {
      * @throws CancelledException if the process is being ended already
      */
     public ShutdownHook(Runnable action) {
-        this.action = action;
         thread = new Thread(action, "sunbeam-shutdown");
         try {
             Runtime.getRuntime().addShutdownHook(thread);
-            OPEN.add(this);
         } catch (IllegalStateException shuttingDown) {
             throw new CancelledException(shuttingDown);
         }
-    }
-
-    /** Runs the actions of all open hooks on this thread. Callers then end the process by {@code Runtime.halt}, which runs no hooks. */
-    public static void runAll() {
-        OPEN.forEach(hook -> hook.action.run());
     }
 
     /** True while the process is being ended. Failures of work that still runs are then to be ignored. */
@@ -46,7 +30,6 @@ public final class ShutdownHook implements AutoCloseable {
     /** Withdraws the action. If the process is being ended already, the action runs nevertheless. */
     @Override
     public void close() {
-        OPEN.remove(this);
         try {
             Runtime.getRuntime().removeShutdownHook(thread);
         } catch (IllegalStateException shuttingDown) {
