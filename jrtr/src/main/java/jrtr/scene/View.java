@@ -14,10 +14,6 @@ import org.joml.Vector3fc;
  * @param near distance of the near plane, above 0; the far plane is farther
  */
 public record View(Camera camera, float verticalFieldOfView, float leastAspect, float near, float far) {
-    public View(Camera camera, float verticalFieldOfView, float near, float far) {
-        this(camera, verticalFieldOfView, 0, near, far);
-    }
-
     /** Returns the matrix from camera space to clip space, with square pixels and depth -1 at the near plane, 1 at the far one. */
     Matrix4f cameraToClip(Area area) {
         float aspect = (float) area.pictureWidth() / area.pictureHeight();

@@ -21,7 +21,7 @@ class PlacedMeshTest extends InARendering {
     private static final int HEIGHT = 60;
     private static final Camera CAMERA =
             new Camera(new Vector3f(0.5f, -4, 1.5f), new Vector3f(0, 0, 0.1f), new Vector3f(0, 0, 1));
-    private static final View VIEW = new View(CAMERA, 0.7f, 1, 20);
+    private static final View VIEW = new View(CAMERA, 0.7f, 0, 1, 20);
 
     private static FloatTarget target;
 

@@ -59,7 +59,7 @@ class TangentFrameTest extends InARendering {
         VertexBuffer mesh = rendering.context.createVertexBuffer("mesh", data);
         try (FloatTarget target =
                 rendering.context.createFloatTarget("frames", new FloatTarget.Spec(SIDE, SIDE, 5, true))) {
-            View view = new View(camera, 0.5f, 0.5f, 20);
+            View view = new View(camera, 0.5f, 0, 0.5f, 20);
             new PlacedMesh(mesh, place, program, Map.of(), Faces.BOTH)
                     .draw(rendering.context, view, View.Area.whole(SIDE, SIDE), target, Tile.whole(SIDE, SIDE));
             return new Images(List.of(target.read(0), target.read(1), target.read(2), target.read(3), target.read(4)));

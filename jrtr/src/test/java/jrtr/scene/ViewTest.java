@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 class ViewTest {
     private static final float FIELD = 0.8f;
     private static final Camera CAMERA = new Camera(new Vector3f(0, -5, 0), new Vector3f(), new Vector3f(0, 0, 1));
-    private static final View VIEW = new View(CAMERA, FIELD, 0.5f, 20);
+    private static final View VIEW = new View(CAMERA, FIELD, 0, 0.5f, 20);
 
     @Test
     void aPartShowsItsPixelsOfTheWhole() {

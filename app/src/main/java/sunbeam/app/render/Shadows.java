@@ -79,7 +79,7 @@ final class Shadows implements AutoCloseable {
         Vector3f eye = new Vector3f(bounds.center()).fma(distance, towards);
         Vector3f up = Math.abs(towards.z()) < 0.9f ? new Vector3f(0, 0, 1) : new Vector3f(1, 0, 0);
         float angle = (float) (2 * Math.atan(reach / (distance - reach)));
-        view = new View(new Camera(eye, bounds.center(), up), angle, distance - reach, distance + reach);
+        view = new View(new Camera(eye, bounds.center(), up), angle, 0, distance - reach, distance + reach);
         worldToShadow.set(view.worldToClip(View.Area.whole(side, side)));
         lift = LIFT * 2 * reach / side;
     }
