@@ -1,23 +1,28 @@
 package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.special.BesselJ;
+import org.assertj.core.data.Percentage;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.errors.Comparison;
 
 /**
  * Compares colors of built-in patches with those of method {@code reference} in the test resources: pixels of maps under one light, and
- * lists of directions under many.
+ * lists of directions under many; and lists with analytic values.
  */
 class BuiltInPatchesTest extends InOneWorkplace {
     private static final int SIDE = 48;
@@ -123,5 +128,89 @@ class BuiltInPatchesTest extends InOneWorkplace {
                 .mapToObj(row ->
                         new Comparison(found.radiance(row), directions.get(row).xyz(), 1))
                 .toList());
+    }
+
+    private static final double WAVELENGTH_NM = 550;
+    private static final double WINDOW_SIGMA = 65e-6 / 4;
+
+    /** A sinusoid of 100 nm amplitude and 2.5 um period has orders of power J_m(k w A)^2, towards -x for positive m. */
+    @ParameterizedTest
+    @CsvSource({
+        "reference, 1e-9", // direct sums in double precision; 12 digits in the file
+        "full, 1e-4" // float32 in the shader, and a plan for 1e-3 or better
+    })
+    void aSinusoidHasBesselsOrders(String method, double tolerance) throws Exception {
+        List<double[]> rows = new ArrayList<>();
+        for (int order = -2; order <= 2; order++) {
+            double sine = order * WAVELENGTH_NM / 2500;
+            rows.add(
+                    new double[] {0, 0, Math.toDegrees(Math.asin(Math.abs(sine))), order > 0 ? 180 : 0, WAVELENGTH_NM});
+        }
+
+        CsvFile list = CsvFile.ofDirections(rows);
+        CsvFile results = workplace.reflectance("sinusoid", list, "--average coherent --method " + method);
+        CsvFile ensemble = workplace.reflectance("sinusoid", list, "--average ensemble --method " + method);
+
+        assertThat(results.header())
+                .contains("theta_i", "phi_i", "theta_r", "phi_r", "wavelength", "power", "rho", "brdf");
+        for (int row = 0; row < rows.size(); row++) {
+            double minusW = 1 + Math.cos(Math.toRadians(rows.get(row)[2]));
+            double phase = 2 * Math.PI / (WAVELENGTH_NM * 1e-9) * minusW * 100e-9;
+            double expected = Math.pow(BesselJ.value(Math.abs(row - 2), phase), 2);
+            Percentage allowed = Percentage.withPercentage(100 * tolerance);
+            assertThat(results.at(row, "power")).as("order %d", row - 2).isCloseTo(expected, allowed);
+            assertThat(ensemble.at(row, ofAverage(ensemble, "ensemble")))
+                    .as("order %d", row - 2)
+                    .isCloseTo(expected, allowed);
+        }
+    }
+
+    /** A flat mirror in its mirror direction: relative radiance 1, the color of D65, and brdf = R(0) 4 pi sigma^2/lambda^2. */
+    @ParameterizedTest
+    @CsvSource({"reference, 1e-6", "full, 1e-4"})
+    void aFlatMirrorIsWhite(String method, double tolerance) throws Exception {
+        Images.gray(workplace.resolve("flat.png"), 16, 16, (column, row) -> 100);
+        String flat = "--width 4um --max-height 100nm --method " + method;
+        Percentage allowed = Percentage.withPercentage(100 * tolerance);
+        double fresnel = Math.pow(0.5 / 2.5, 2);
+        double wavelength = WAVELENGTH_NM * 1e-9;
+
+        CsvFile spectral =
+                workplace.reflectance("flat.png", CsvFile.ofDirections(List.of(new double[] {0, 0, 0, 0, 550})), flat);
+        CsvFile color = workplace.reflectance("flat.png", CsvFile.ofDirections(List.of(new double[4])), flat);
+
+        assertThat(spectral.at(0, "power")).isCloseTo(1, allowed);
+        assertThat(spectral.at(0, "rho")).isCloseTo(1, allowed);
+        assertThat(spectral.at(0, "brdf"))
+                .isCloseTo(fresnel * 4 * Math.PI * WINDOW_SIGMA * WINDOW_SIGMA / (wavelength * wavelength), allowed);
+        // D65's white by CIE 15 (tables in steps of 5 nm, four digits); here steps of 1 nm from 380 to 780 nm.
+        assertThat(color.at(0, "X")).isCloseTo(0.9505, within(3e-4));
+        assertThat(color.at(0, "Y")).isCloseTo(1, allowed);
+        assertThat(color.at(0, "Z")).isCloseTo(1.0888, within(3e-4));
+        assertThat(color.at(0, "gain")).isCloseTo(1, allowed);
+    }
+
+    @Test
+    void otherColumnsAreIgnoredAndAngleColumnsMayStandInAnyOrder() throws Exception {
+        Files.writeString(
+                workplace.resolve("in.csv"),
+                "note,wavelength,phi_r,theta_r,phi_i,theta_i\nfirst order,550,180,12.709,0,0\n");
+
+        SunbeamResult result = workplace.succeedHere(
+                "reflectance --patch blaze --method reference --directions in.csv --output out.csv");
+
+        assertThat(result.stdout()).isEqualTo("out.csv\n");
+        assertThat(result.stderr()).isEmpty();
+        CsvFile results = CsvFile.read(workplace.resolve("out.csv"));
+        assertThat(results.size()).isEqualTo(1);
+        assertThat(results.at(0, "theta_r")).isEqualTo(12.709);
+        // sinc^2(k w H / 2 pi - 1) of the ramp: 0.9 or more, with H = 250 nm
+        assertThat(results.at(0, "power")).isGreaterThan(0.9);
+    }
+
+    /** Returns the column of the chosen average's power. */
+    private static String ofAverage(CsvFile results, String average) {
+        String own = "power_" + average;
+        return results.header().contains(own) ? own : "power";
     }
 }
