@@ -226,7 +226,6 @@ public record GridSampling(
 
         void addTo(ShaderTables.Builder tables, FourierTable table) {
             Fields fields = fields(table);
-            CoefficientTable coefficients = fields.coefficients;
             int texels = texels(fields.count);
             String prefix = name.toUpperCase(Locale.ROOT);
             List<TermsLayout> layouts = layouts(texels);
@@ -235,8 +234,8 @@ public record GridSampling(
                     new GridResampler(interpolated(point.x, table.x()), interpolated(point.y, table.y()));
             tables.define(prefix + "_TEXELS", texels)
                     .define(prefix + "_POINT_TOGETHER", layout.together())
-                    .array(ShaderArrays.coefficients(name + "Coefficients", coefficients))
-                    .reals(name + "PhaseMap", ShaderArrays.phaseMap(coefficients))
+                    .array(ShaderArrays.coefficients(name + "Coefficients", fields.coefficients))
+                    .reals(name + "PhaseMap", ShaderArrays.phaseMap(fields.coefficients))
                     .reals(name + "Scale", 1 / step)
                     .array(TableArray.computed(
                             layout.array(), layer -> layer(fields, layer, layout, points, Order.ROWS)))
