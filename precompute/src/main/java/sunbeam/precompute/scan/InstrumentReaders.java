@@ -123,7 +123,7 @@ final class InstrumentReaders {
 
     private static Map<String, Header> sections(String header) {
         Map<String, Header> sections = new TreeMap<>();
-        for (String section : header.split("(?m)^(?=\\[.*\\]$)")) {
+        for (String section : header.split("(?m)^(?=\\[.*\\]$)", -1)) {
             String path = section.lines().findFirst().orElse("").replaceAll("^\\[(DataSet\\\\)?|\\]$", "");
             sections.putIfAbsent(path, Header.of(section, '='));
         }

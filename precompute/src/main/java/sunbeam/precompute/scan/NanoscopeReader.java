@@ -35,8 +35,9 @@ final class NanoscopeReader {
         List<Header> images = new ArrayList<>();
         Header list = common;
         String head = file.headText(Header.LARGEST);
-        Iterable<String> lines =
-                head.lines().takeWhile(line -> !line.matches("\\\\\\*.{0,9}File list end.*"))::iterator;
+        List<String> lines = head.lines()
+                .takeWhile(line -> !line.matches("\\\\\\*.{0,9}File list end.*"))
+                .toList();
         for (String line : lines) {
             Matcher matcher = LINE.matcher(line);
             if (line.startsWith("\\*") && line.toLowerCase(Locale.ROOT).contains("image list")) {
