@@ -99,6 +99,7 @@ public final class Sunbeam {
         return new Collection.Outcome(code, stdout.toString(), Messages.last(stderr.toString()));
     }
 
+    /** Wraps failures, since picocli would print the stack trace of any other exception of a strategy. */
     private int run(Collection collection, CommandLine.ParseResult command) {
         CommandLine commandLine = command.commandSpec().commandLine();
         try {

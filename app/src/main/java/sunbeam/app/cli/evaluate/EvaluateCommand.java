@@ -100,6 +100,7 @@ public final class EvaluateCommand extends FileCommand {
         if (!Arrays.asList(POWER).contains(asked.get(Methods.METHOD))) {
             throw DiffractionSetup.withoutPower();
         }
+        // A name that cannot be written is refused before the patch is read.
         if (output != null) {
             writableGroup(output, "");
         }

@@ -110,6 +110,7 @@ public final class OrdersCommand extends FileCommand {
         wavelengths.requireWithin("--wavelengths", 380, 780, "nm");
         RefractiveIndex material = index.parse();
         CieTable cie = LightTable.of(choices);
+        // A name that cannot be written is refused before the patch is read.
         if (output != null) {
             writableGroup(output, "");
         }
