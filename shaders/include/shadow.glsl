@@ -1,4 +1,4 @@
-// Shadows of the first light (sunbeam.app.render.Shadows): a depth map with percentage-closer filtering (Reeves et al. 1987); the penumbra
+// Shadows of the first light (app.render.GeometryBuffer): a depth map with percentage-closer filtering (Reeves et al. 1987); the penumbra
 // widens with the distance of the occluder (Fernando 2005).
 
 // Depth of the first surface that the light meets, 0 to 1.

@@ -18,6 +18,7 @@ import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.render.DrawRequest.SceneBlocks;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
+import sunbeam.app.render.SkinSurface.CachedTarget;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.SkyVisibility;

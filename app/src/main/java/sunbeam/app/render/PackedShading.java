@@ -155,8 +155,7 @@ final class PackedShading implements AutoCloseable {
     }
 
     private void shade(Part part, Packing packing, int draw, boolean hasColors) {
-        var pass = new SkinSurface.Pass(part.request, draw, hasColors);
-        part.skin.shade(part.buffer, sources, target, packing.used(), pass);
+        part.skin.shade(part, sources, target, packing.used(), draw, hasColors);
     }
 
     /** Uploads the index of the geometry buffer's texel that each slot shades, -1 for none, for the pixels from the first. */

@@ -7,10 +7,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import java.util.function.Supplier;
+import java.util.function.Consumer;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
-import jrtr.gl.Resource;
 import jrtr.scene.View;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -42,19 +41,25 @@ public final class SceneSession implements AutoCloseable {
 
     /** Uploads a scene; throws {@link jrtr.GraphicsException} if the device has no room for it. */
     public SceneSession(RenderContext context, SceneData data) {
-        this(context, () -> new UploadedScene(context, data));
+        this(context, uploaded -> uploaded.update(data));
     }
 
     /** Uploads a scene without its diffraction: until {@link #update(SceneData)} only {@link #body} can draw it. */
     public SceneSession(RenderContext context, Scene scene, SceneShape shape) {
-        this(context, () -> new UploadedScene(context, scene, shape));
+        this(context, uploaded -> uploaded.upload(scene, shape));
     }
 
-    private SceneSession(RenderContext context, Supplier<UploadedScene> upload) {
+    private SceneSession(RenderContext context, Consumer<UploadedScene> upload) {
         this.context = context;
         this.shading = new PackedShading(context);
         this.picking = new Picking(context);
-        this.uploaded = Resource.orClose(upload, this::close);
+        this.uploaded = new UploadedScene(context);
+        try {
+            upload.accept(uploaded);
+        } catch (RuntimeException | Error failure) {
+            close();
+            throw failure;
+        }
     }
 
     public SceneData data() {
@@ -249,9 +254,7 @@ public final class SceneSession implements AutoCloseable {
 
     @Override
     public void close() {
-        if (uploaded != null) {
-            uploaded.close();
-        }
+        uploaded.close();
         picking.close();
         shading.close();
         buffers.values().forEach(GeometryBuffer.Cache::close);

@@ -16,6 +16,7 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
+import sunbeam.app.render.PackedShading.Part;
 import sunbeam.app.render.SceneData.ReflectanceComponent;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -52,29 +53,19 @@ final class SkinSurface implements AutoCloseable {
     private final Map<Integer, ShaderProgram> movingPrograms = new HashMap<>();
     private final CachedTarget movingTarget = new CachedTarget();
 
-    SkinSurface(RenderContext context, SceneData data) {
-        this(context, data.tables(), Optional.of(data));
-    }
-
-    /** Creates a surface without diffraction, for moving pictures. */
-    static SkinSurface ofBody(RenderContext context) {
-        return new SkinSurface(context, new ShaderTables.Builder("none").build(0, 0), Optional.empty());
-    }
-
-    private SkinSurface(RenderContext context, ShaderTables tables, Optional<SceneData> data) {
+    /** @param data empty for a surface without diffraction, which draws moving pictures alone */
+    SkinSurface(RenderContext context, Optional<SceneData> data) {
         this.context = context;
-        this.method = UploadedTables.upload(context, tables);
+        this.method = UploadedTables.upload(
+                context, data.map(SceneData::tables).orElseGet(() -> new ShaderTables.Builder("none").build(0, 0)));
         this.texture = Resource.orClose(
                 () -> data.flatMap(SceneData::bakers).map(bakers -> new VirtualTexture(context, bakers)),
                 method::close);
         this.component = data.flatMap(SceneData::reflectanceComponent);
+        double sigma = method.windowSigma();
         this.diffractionScale = data.map(found -> found.scene().method().method())
-                .map(found -> found.isNormalizedToMirror() ? mirrorRadiance() : 1)
+                .map(found -> found.isNormalizedToMirror() ? new CoherenceWindow(sigma).mirrorRadiance() : 1)
                 .orElse(0.0);
-    }
-
-    private double mirrorRadiance() {
-        return new CoherenceWindow(method.windowSigma()).mirrorRadiance();
     }
 
     /** Callers may use the tables in this context until the surface is closed. */
@@ -104,9 +95,11 @@ final class SkinSurface implements AutoCloseable {
      *
      * @param sources texel to shade of each target pixel, as by {@link GeometryBuffer#texel}; -1 for none
      * @param target as large as the sources; undefined at pixels without source
+     * @param draw index below {@link #draws}; without colors, index of a level below {@link #levelsRead}
+     * @param hasColors false to write footprints only
      */
-    void shade(GeometryBuffer buffer, FloatTexture sources, FloatTarget target, Tile tile, Pass pass) {
-        DrawRequest request = pass.request();
+    void shade(Part part, FloatTexture sources, FloatTarget target, Tile tile, int draw, boolean hasColors) {
+        DrawRequest request = part.request();
         Scene scene = request.scene();
         if (program == null) {
             program = method.program("skin.frag", Map.of("COLOR_LEVELS", texture.isPresent() ? "1" : "0"));
@@ -114,7 +107,7 @@ final class SkinSurface implements AutoCloseable {
         setLight(program, scene);
         program.set("lightVariance", (float) Math.pow(scene.deviation(scene.light()), 2));
         Map<String, Texture> textures = new HashMap<>(method.textures());
-        textures.putAll(buffer.textures());
+        textures.putAll(part.buffer().textures());
         if (texture.isPresent()) {
             setFootprints(
                     program,
@@ -124,12 +117,12 @@ final class SkinSurface implements AutoCloseable {
                     Math.max(1, request.samples() / request.footprintScale()),
                     request.isCoarsest());
             program.set("footprintScale", (float) request.footprintScale());
-            program.set("lookUps", pass.hasColors() ? 1 : 0);
-            program.set("nextLevel", (float) (pass.hasColors() ? 0 : pass.draw()));
+            program.set("lookUps", hasColors ? 1 : 0);
+            program.set("nextLevel", (float) (hasColors ? 0 : draw));
             textures.putAll(texture.get().textures());
         } else {
             program.set("slopeDeviation", (float) scene.slopeDeviation());
-            program.set("slopeDraw", pass.draw());
+            program.set("slopeDraw", draw);
         }
         textures.put("sources", sources);
         context.drawFullScreen(program, textures, target, tile);
@@ -240,11 +233,25 @@ final class SkinSurface implements AutoCloseable {
         method.close();
     }
 
-    /**
-     * Draw with shaders/skin.frag.
-     *
-     * @param draw index below {@link #draws}; without colors, index of a level below {@link #levelsRead}
-     * @param hasColors false to write footprints only
-     */
-    record Pass(DrawRequest request, int draw, boolean hasColors) {}
+    /** A render target that is reused while its size and format stay the same. */
+    static final class CachedTarget implements AutoCloseable {
+        private FloatTarget target;
+
+        /** Valid until a call with another size or format. Contains the last draw, if any. */
+        FloatTarget of(RenderContext context, String label, FloatTarget.Spec spec) {
+            if (target == null || !target.spec().equals(spec)) {
+                close();
+                target = context.createFloatTarget(label, spec);
+            }
+            return target;
+        }
+
+        @Override
+        public void close() {
+            if (target != null) {
+                target.close();
+                target = null;
+            }
+        }
+    }
 }

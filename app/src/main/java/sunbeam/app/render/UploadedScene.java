@@ -22,6 +22,7 @@ import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
+import sunbeam.app.render.GeometryBuffer.Shadows;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
@@ -44,26 +45,10 @@ final class UploadedScene implements AutoCloseable {
     private SkinTextures body;
     private SkinSurface skin;
 
-    UploadedScene(RenderContext context, SceneData data) {
-        this(context, data.scene(), data.shape(), data.body(), () -> new SkinSurface(context, data));
-        this.data = data;
-    }
-
-    /** Uploads a scene without its diffraction, for moving pictures of the body. */
-    UploadedScene(RenderContext context, Scene scene, SceneShape shape) {
-        this(context, scene, shape, shape.bodies().get(0), () -> SkinSurface.ofBody(context));
-    }
-
-    private UploadedScene(
-            RenderContext context, Scene scene, SceneShape shape, Body body, Supplier<SkinSurface> surface) {
+    /** Has no scene until {@link #upload} or {@link #update}. */
+    UploadedScene(RenderContext context) {
         this.context = context;
         this.shadows = new Shadows(context);
-        try {
-            replace(scene, shape, body, surface);
-        } catch (RuntimeException | Error failure) {
-            close();
-            throw failure;
-        }
     }
 
     SceneData data() {
@@ -100,16 +85,22 @@ final class UploadedScene implements AutoCloseable {
                 height);
     }
 
+    /** Uploads a scene without its diffraction, for moving pictures of the body. */
+    void upload(Scene scene, SceneShape shape) {
+        replace(scene, shape, shape.bodies().get(0), () -> new SkinSurface(context, Optional.empty()));
+    }
+
     void update(SceneData next) {
         boolean sharesMethod = data != null && next.sharesMethod(data);
-        replace(next.scene(), next.shape(), next.body(), () -> sharesMethod ? skin : new SkinSurface(context, next));
+        Supplier<SkinSurface> surface = () -> sharesMethod ? skin : new SkinSurface(context, Optional.of(next));
+        replace(next.scene(), next.shape(), next.body(), surface);
         data = next;
     }
 
     /** Uploads what differs; a failure leaves the old scene. */
     private void replace(Scene scene, SceneShape shape, Body wanted, Supplier<SkinSurface> surface) {
-        UploadedMesh nextMesh =
-                mesh != null && mesh.serves(scene, shape.mesh()) ? mesh : UploadedMesh.upload(context, scene, shape);
+        boolean keepsMesh = mesh != null && mesh.serves(scene, shape.mesh());
+        UploadedMesh nextMesh = keepsMesh ? mesh : UploadedMesh.upload(context, scene, shape);
         Runnable closeMesh = () -> closeUnlessSame(nextMesh, mesh, UploadedMesh::close);
         SkinTextures nextBody = Resource.orClose(
                 () -> body != null && body.isOf(wanted) ? body : new SkinTextures(context, wanted), closeMesh);

@@ -217,7 +217,7 @@ public record Scene(
         return get(SceneSettings.MESH).equals("snake") ? get(SceneSettings.SCALES) : Scales.NONE;
     }
 
-    /** Not with the thesis's preset, save for {@link #keepingSurroundings}. */
+    /** Not with the thesis's preset, save for {@link SceneSettings#KEEPS_SURROUNDINGS}. */
     private boolean drawsSurroundings() {
         return !method.isThesis() || get(SceneSettings.KEEPS_SURROUNDINGS);
     }
@@ -239,11 +239,6 @@ public record Scene(
     /** True if ambient light depends on the visible share of the sky. */
     public boolean occludesSky() {
         return sky() > 0 || ground().isPresent();
-    }
-
-    /** Returns this scene with surroundings also under the thesis's preset, to compare methods. */
-    public Scene keepingSurroundings() {
-        return with(SceneSettings.KEEPS_SURROUNDINGS, true);
     }
 
     /** Scalar with the thesis's preset and for methods not normalized to a mirror. */

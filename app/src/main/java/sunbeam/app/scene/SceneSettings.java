@@ -159,8 +159,8 @@ public final class SceneSettings {
                     "The mesh casts shadows on itself and on the ground; preset thesis has none.")
             .withStandard(false);
 
-    /** No setting of files or options. */
-    static final Setting<Boolean> KEEPS_SURROUNDINGS =
+    /** Whether surroundings are drawn also with the thesis's preset, to compare methods; no setting of files or options. */
+    public static final Setting<Boolean> KEEPS_SURROUNDINGS =
             new Setting<>("keepsSurroundings", ValueKind.flag(), "").withStandard(false);
 
     public static final Setting<SceneColor> BACKGROUND = new Setting<>(

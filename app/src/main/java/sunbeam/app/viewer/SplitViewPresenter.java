@@ -56,8 +56,9 @@ final class SplitViewPresenter {
         Choices sameExposure = Choices.at(ControlOrigin.INSTANCE).with(SceneSettings.EXPOSURE, exposure);
         window.controls
                 .compared(own.state().firstPart().scene())
-                .ifPresent(
-                        scene -> draw(own.state(), scene.keepingSurroundings().with(sameExposure)));
+                .ifPresent(scene -> draw(
+                        own.state(),
+                        scene.with(SceneSettings.KEEPS_SURROUNDINGS, true).with(sameExposure)));
     }
 
     private void draw(ViewState shown, Scene scene) {

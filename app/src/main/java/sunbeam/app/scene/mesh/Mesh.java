@@ -92,24 +92,24 @@ public record Mesh(
         /** Samples a surface. A cell with an edge of length 0 gets one triangle. */
         static Mesh grid(int columns, int rows, boolean closed, Surface surface) {
             Builder mesh = new Builder();
-            int[][] vertices = new int[rows + 1][columns + 1];
-            Vector3dc[][] points = new Vector3dc[rows + 1][columns + 1];
+            Vector3dc[] places = new Vector3dc[(rows + 1) * (columns + 1)];
             for (int row = 0; row <= rows; row++) {
                 for (int column = 0; column <= columns; column++) {
                     double u = (double) column / columns;
                     double v = (double) row / rows;
                     Point point = surface.at(u, v);
-                    points[row][column] = point.position();
-                    vertices[row][column] = mesh.vertex(point, u, v);
+                    places[mesh.vertex(point, u, v)] = point.position();
                 }
             }
             for (int row = 0; row < rows; row++) {
                 for (int column = 0; column < columns; column++) {
-                    if (points[row][column].distanceSquared(points[row][column + 1]) > 0) {
-                        mesh.triangle(vertices[row][column], vertices[row][column + 1], vertices[row + 1][column + 1]);
+                    int below = row * (columns + 1) + column;
+                    int above = below + columns + 1;
+                    if (places[below].distanceSquared(places[below + 1]) > 0) {
+                        mesh.triangle(below, below + 1, above + 1);
                     }
-                    if (points[row + 1][column].distanceSquared(points[row + 1][column + 1]) > 0) {
-                        mesh.triangle(vertices[row][column], vertices[row + 1][column + 1], vertices[row + 1][column]);
+                    if (places[above].distanceSquared(places[above + 1]) > 0) {
+                        mesh.triangle(below, above + 1, above);
                     }
                 }
             }

@@ -71,16 +71,11 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
             this.shares = new SkyVisibility(new float[mesh.vertices()], new float[GROUND_SIDE * GROUND_SIDE]);
             int directions = mesh.triangles() > MANY_TRIANGLES ? FEW_DIRECTIONS : DIRECTIONS;
             float[] cosineSums = new float[mesh.vertices()];
-            double sum = 0;
-            for (int i = 0; i < directions; i++) {
-                sum += direction(i, directions).z;
-            }
-            double zSum = sum;
             IntStream.range(0, directions)
                     .parallel()
                     .mapToObj(i -> new DepthMap(direction(i, directions)))
                     // Rounded sums of floats depend on the order.
-                    .forEachOrdered(map -> map.addVisibility(cosineSums, zSum));
+                    .forEachOrdered(map -> map.addVisibility(cosineSums, directions / 2.0));
             for (int i = 0; i < cosineSums.length; i++) {
                 shares.ofVertices[i] = cosineSums[i] > 0 ? shares.ofVertices[i] / cosineSums[i] : 0;
             }
@@ -156,7 +151,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
                 return !inside || depths[row * TEXELS + column] < at.dot(direction) + MARGIN * radius;
             }
 
-            /** @param zSum sum over all directions of their cosine with the ground's normal */
+            /** @param zSum sum over all directions of their cosine with the ground's normal, z */
             private void addVisibility(float[] cosineSums, double zSum) {
                 for (int i = 0; i < cosineSums.length; i++) {
                     Vector3d normal = Mesh.vector(mesh.normals(), i);

@@ -3,6 +3,7 @@ package sunbeam.app.scene.mesh;
 import static sunbeam.app.scene.texture.ScaleRelief.BEGIN;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import sunbeam.app.scene.texture.BodyColors.SnakeHead;
 import sunbeam.app.scene.texture.ScaleRelief;
@@ -172,13 +173,9 @@ public final class SnakeBody {
 
         Curve(double... points) {
             int count = points.length / 2;
-            x = new double[count];
-            y = new double[count];
+            x = IntStream.range(0, count).mapToDouble(i -> points[2 * i]).toArray();
+            y = IntStream.range(0, count).mapToDouble(i -> points[2 * i + 1]).toArray();
             slope = new double[count];
-            for (int i = 0; i < count; i++) {
-                x[i] = points[2 * i];
-                y[i] = points[2 * i + 1];
-            }
             for (int i = 1; i < count - 1; i++) {
                 double before = (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
                 double after = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
@@ -188,19 +185,13 @@ public final class SnakeBody {
         }
 
         double at(double position) {
-            int last = x.length - 1;
-            if (position <= x[0]) {
-                return y[0];
-            }
-            if (position >= x[last]) {
-                return y[last];
-            }
+            double inside = Math.max(x[0], Math.min(x[x.length - 1], position));
             int i = 0;
-            while (position > x[i + 1]) {
+            while (inside > x[i + 1]) {
                 i++;
             }
             double width = x[i + 1] - x[i];
-            double t = (position - x[i]) / width;
+            double t = (inside - x[i]) / width;
             double rest = 1 - t;
             return y[i] * rest * rest * (1 + 2 * t)
                     + y[i + 1] * t * t * (3 - 2 * t)
