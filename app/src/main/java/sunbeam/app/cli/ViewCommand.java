@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import sunbeam.app.cli.options.PictureSize;
+import sunbeam.app.cli.options.DisplayOptions.PictureSize;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.cli.Sunbeam.Failures;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;

@@ -17,18 +17,19 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import sunbeam.app.cli.brdfmap.MaterialMap.MapSheet;
 import sunbeam.app.cli.brdfmap.MaterialMap.Result;
 import sunbeam.app.cli.options.CertifyOption;
 import sunbeam.app.cli.options.DisplayOptions;
+import sunbeam.app.cli.options.DisplayOptions.TevOption;
 import sunbeam.app.cli.options.FileCommand;
-import sunbeam.app.cli.options.IndexOption;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.cli.options.ReportFields;
+import sunbeam.app.cli.options.PatchOptions.IndexOption;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.SettingOptions;
-import sunbeam.app.cli.options.TevOption;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
@@ -214,7 +215,7 @@ public final class BrdfMapCommand extends FileCommand {
             fields.stream().limit(1).forEach(surface -> surface.put("thumbnail_px", thumbnail));
             report.put("exposure", factor);
             report.put("renderer", context.info().renderer());
-            certificate.ifPresent(stated -> report.put("certificate", ReportFields.of(stated)));
+            certificate.ifPresent(stated -> report.put("certificate", JsonOption.fields(stated)));
             if (viewer != null) {
                 maps.forEach(map -> show(map, viewer));
             }
@@ -277,7 +278,7 @@ public final class BrdfMapCommand extends FileCommand {
         double theta = light.degrees(LightOptions.THETA_I);
         Patch patch = surface.setup.patch();
         GratingPeriod period = GratingPeriod.of(patch).turned(surface.choices.get(ROTATE_PATCH));
-        Map<String, Object> fields = ReportFields.of(patch, period, Verdict.of(patch, period, theta));
+        Map<String, Object> fields = JsonOption.fields(patch, period, Verdict.of(patch, period, theta));
         fields.put("theta_i_deg", theta);
         fields.put("phi_i_deg", light.degrees(LightOptions.PHI_I));
         fields.put("method", surface.choices.get(Methods.METHOD).label());

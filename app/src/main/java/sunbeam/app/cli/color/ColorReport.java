@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import sunbeam.app.cli.options.ReportFields;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -129,7 +129,7 @@ record ColorReport(
     }
 
     Map<String, Object> fields() {
-        Map<String, Object> fields = ReportFields.of(patch, period, verdict);
+        Map<String, Object> fields = JsonOption.fields(patch, period, verdict);
         fields.put("theta_i_deg", colors.get(0).view().thetaIDegrees());
         fields.put("has_color", colored);
         fields.put("plane_azimuth_deg", colors.get(0).view().phiDegrees());

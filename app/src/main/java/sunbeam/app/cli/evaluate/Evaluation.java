@@ -14,7 +14,7 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
-import sunbeam.app.cli.options.ReportFields;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.plot.HeatMap;
@@ -144,7 +144,7 @@ record Evaluation(
 
     Map<String, Object> tree() {
         ResponseGrid grid = response.grid();
-        Map<String, Object> tree = ReportFields.of(patch, period, verdict());
+        Map<String, Object> tree = JsonOption.fields(patch, period, verdict());
         tree.put("theta_i_deg", Math.toDegrees(grid.plane().thetaI()));
         tree.put("phi_i_deg", Math.toDegrees(grid.plane().phiI()));
         tree.put("azimuth_deg", Math.toDegrees(grid.plane().azimuth()));

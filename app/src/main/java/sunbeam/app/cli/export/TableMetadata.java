@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
-import sunbeam.app.cli.options.ReportFields;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.colors.DiffractionSetup;
@@ -269,8 +269,8 @@ record TableMetadata(
             Map<String, Object> fields = new LinkedHashMap<>();
             fields.put("of", quantity + ": largest difference by the largest of them, where power exceeds 1e-9");
             fields.put("directions", "random pairs, half of them uniform on the hemisphere, half aimed at orders");
-            fields.put("beside_reference", ReportFields.of(reference));
-            fields.put("beside_sums_over_wavelengths", ReportFields.of(sums));
+            fields.put("beside_reference", JsonOption.fields(reference));
+            fields.put("beside_sums_over_wavelengths", JsonOption.fields(sums));
             return fields;
         }
     }

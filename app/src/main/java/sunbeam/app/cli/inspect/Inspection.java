@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.apache.commons.math3.stat.StatUtils;
-import sunbeam.app.cli.options.ReportFields;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -139,7 +139,7 @@ record Inspection(
 
     Map<String, Object> fields() {
         HeightMap map = patch.scan();
-        Map<String, Object> fields = ReportFields.of(patch, period, verdict());
+        Map<String, Object> fields = JsonOption.fields(patch, period, verdict());
         fields.put("theta_i_deg", thetaI);
         fields.put("channels", patch.channels());
         fields.put("columns", map.columns());

@@ -1,11 +1,15 @@
 package sunbeam.app.cli.options;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.files.input.PngText;
+import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.UsageException;
@@ -94,5 +98,54 @@ public final class DisplayOptions {
                     + ": it has no text 'Exposure' with a number above 0; name a picture that Sunbeam has written");
         }
         return value;
+    }
+
+    /** Option {@code --tev} of commands that draw pictures; a picocli mixin. */
+    public static final class TevOption {
+        @Option(
+                names = "--tev",
+                description =
+                        "Also send the linear colors (Rec. 709 and alpha, before exposure) to the viewer tev, which"
+                                + " has to run on this machine (port 14158): scenes tile by tile, maps when they are drawn.")
+        private boolean asked;
+
+        /** Returns the connection to tev, which must run; empty without the option. */
+        public Optional<TevClient> connect(PrintWriter err) {
+            return asked ? Optional.of(TevClient.connect(TevClient.PORT, err)) : Optional.empty();
+        }
+    }
+
+    /** Width and height of a picture in pixels, 1 to 16384 each. */
+    public record PictureSize(int width, int height) {
+        private static final int LARGEST = 16_384;
+        /** Limit of pixels: 2 GiB of linear light at 16 bytes a pixel. */
+        private static final long MOST_PIXELS = 1L << 27;
+
+        public PictureSize {
+            boolean sides = width >= 1 && height >= 1 && width <= LARGEST && height <= LARGEST;
+            if (!sides || (long) width * height > MOST_PIXELS) {
+                throw new IllegalArgumentException(width + "x" + height + " is out of range; give sides of 1 to "
+                        + LARGEST + " and at most " + (MOST_PIXELS >> 20) + " million pixels");
+            }
+        }
+
+        @Override
+        public String toString() {
+            return width + "x" + height;
+        }
+
+        /** Parses {@code WIDTHxHEIGHT}, or the side of a square. */
+        public static PictureSize parse(String text) {
+            if (!text.strip().matches("\\d{1,6}([xX]\\d{1,6})?")) {
+                throw new TypeConversionException(
+                        "'" + text + "' is not a size; give WIDTHxHEIGHT as in 800x600, or one side of a square");
+            }
+            String[] sides = text.strip().split("[xX]", -1);
+            try {
+                return new PictureSize(Integer.parseInt(sides[0]), Integer.parseInt(sides[sides.length - 1]));
+            } catch (IllegalArgumentException outOfRange) {
+                throw new TypeConversionException(outOfRange.getMessage());
+            }
+        }
     }
 }

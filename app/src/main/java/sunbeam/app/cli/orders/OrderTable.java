@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
-import sunbeam.app.cli.options.ReportFields;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.terminal.Environment;
@@ -197,7 +197,7 @@ record OrderTable(
     }
 
     Map<String, Object> tree() {
-        Map<String, Object> tree = ReportFields.of(patch, period, verdict);
+        Map<String, Object> tree = JsonOption.fields(patch, period, verdict);
         tree.put("program", "Sunbeam " + Environment.version());
         Stream<SpatialFrequency> basis = Stream.concat(Stream.of(lattice.first()), lattice.second().stream());
         tree.put(

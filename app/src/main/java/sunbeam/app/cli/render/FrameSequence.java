@@ -18,8 +18,8 @@ import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.CertifyOption;
-import sunbeam.app.cli.options.PictureSize;
-import sunbeam.app.cli.options.ReportFields;
+import sunbeam.app.cli.options.DisplayOptions.PictureSize;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.LinearFile;
@@ -209,7 +209,7 @@ public final class FrameSequence implements AutoCloseable {
             Scene drawn = parts.get(0).scene();
             Certificate certificate = new Certificate.SceneCertifier(width, height, samples)
                     .certify(sum, scene, new PartSum(exact), drawn, exposure, count);
-            report.put("certificate", ReportFields.of(certificate));
+            report.put("certificate", JsonOption.fields(certificate));
             // A larger --supersample does not reduce the errors of the table at the footprints of these pixels.
             List<ErrorStatistics> tables = sessions.stream()
                     .flatMap(part -> part.tableErrors(scene, width, height, samples).stream())

@@ -16,7 +16,6 @@ import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.PatchOptions.TaskPart;
-import sunbeam.app.cli.options.ReportFields;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
@@ -155,10 +154,10 @@ public final class SampleCommand extends FileCommand {
             long first = part.first(count);
             certificate =
                     certify.count().map(places -> certified(sampled, setup.exact(method), first, rows, places, method));
-            certificate.ifPresent(stated -> made.put("error_beside_reference", ReportFields.of(stated)));
+            certificate.ifPresent(stated -> made.put("error_beside_reference", JsonOption.fields(stated)));
             SampleRows.RowFile file = new SampleRows.RowFile(first, rows, columns, () -> {
                 ErrorStatistics difference = sampled.differenceFromSums();
-                made.put("error_beside_sums_over_wavelengths", ReportFields.of(difference));
+                made.put("error_beside_sums_over_wavelengths", JsonOption.fields(difference));
                 return JsonOption.text(made);
             });
             if (hdf5) {

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.cli.CommandLineFixture;
+import sunbeam.app.cli.reflectance.ReflectanceCommand.Evaluator;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.cli.CommandLineFixture;
+import sunbeam.app.cli.render.AnimationOptions.GifAnimation;
 import sunbeam.app.cli.render.AnimationOptions.Sweep;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.Overwrite;
