@@ -36,7 +36,6 @@ import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.BandTransform2d;
 import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
 import sunbeam.precompute.spectrum.FourierTable;
-import sunbeam.precompute.spectrum.TableFile;
 import sunbeam.precompute.text.Text;
 
 /** Command {@code sunbeam precompute}: writes the Fourier tables of a patch for other programs. */
@@ -119,7 +118,7 @@ public final class PrecomputeCommand extends FileCommand {
         double seconds = (System.nanoTime() - start) * 1e-9;
         Surface surface = setup.surface();
         Path written = AtomicFile.writeFile(
-                file, overwrite(output), path -> TableFile.write(path, table, surface.name(), surface.digest()));
+                file, overwrite(output), path -> table.write(path, surface.name(), surface.digest()));
         PrintWriter out = out(file);
         String kind = ValueKind.name(table.expansion().kind());
         int columns = table.bandX().count();

@@ -12,8 +12,8 @@ import org.junit.jupiter.api.Test;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTablesFile;
+import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.shader.TableLabel;
 
 final class CacheCommandTest extends CommandLineFixture {
     private Path cache;

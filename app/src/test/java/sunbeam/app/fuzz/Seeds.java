@@ -19,8 +19,8 @@ import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTablesFile;
+import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.shader.TableLabel;
 
 final class Seeds {
     /** Of the shader tables. */

@@ -2,7 +2,6 @@ package sunbeam.precompute.analysis;
 
 import java.util.function.Consumer;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.numerics.GaussLegendre;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
@@ -14,6 +13,7 @@ import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.Expansion.HeightScale;
 import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.spectrum.LowRankExpansion;
+import sunbeam.precompute.spectrum.PhaseNodes.GaussLegendre;
 
 /**
  * Light that the scalar model sends into the orders of a surface that repeats without end, one for each DFT bin F_j: the share (1 +

@@ -62,10 +62,6 @@ public record ColorTable(
             Interpolation interpolation,
             boolean includeFaintTails) {}
 
-    public ColorTable {
-        levels = List.copyOf(levels);
-    }
-
     /** True if a table can average over slopes of this standard deviation; smaller ones, 0 included, widen footprints instead. */
     public static boolean averages(double slopeDeviation) {
         return slopeDeviation >= LEAST_SLOPES;

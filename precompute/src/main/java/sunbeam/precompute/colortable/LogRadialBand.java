@@ -3,7 +3,7 @@ package sunbeam.precompute.colortable;
 import java.util.Arrays;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.numerics.SplineFilter;
+import sunbeam.precompute.colortable.Interpolation.SplineFilter;
 
 /** Rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
 record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions positions) {

@@ -8,9 +8,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.colortable.Interpolation.SplineFilter;
 import sunbeam.precompute.colortable.WindowedSpectrum.GaussianWeights;
 import sunbeam.precompute.numerics.Lagrange;
-import sunbeam.precompute.numerics.SplineFilter;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.spectrum.PowerSpectrum.Axis;
 

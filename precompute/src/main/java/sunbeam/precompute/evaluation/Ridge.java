@@ -11,7 +11,8 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
-import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
+import sunbeam.precompute.evaluation.GratingPlane.ResponseMatrix;
+import sunbeam.precompute.evaluation.GratingPlane.ResponseMatrix.ResponseGrid;
 import sunbeam.precompute.numerics.Lagrange;
 
 /** Peaks of a response: one angle theta_r, radians, at each wavelength that has one, meters, ascending. */

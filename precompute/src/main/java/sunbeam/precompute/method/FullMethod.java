@@ -1,15 +1,13 @@
 package sunbeam.precompute.method;
 
-import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
-import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
-import static sunbeam.precompute.plan.MethodSettings.RADIUS;
-
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
+import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -19,8 +17,11 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** Method {@code full}: sums power over all wavelengths, with a planned sampling or the thesis's, under a Gaussian window. */
 public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {
-    static final List<Setting<?>> SETTINGS =
-            Setting.union(TableChoices.SETTINGS, List.of(RADIUS, ANCHOR), GaussianArea.SETTINGS, List.of(FRESNEL));
+    static final List<Setting<?>> SETTINGS = Setting.union(
+            TableChoices.SETTINGS,
+            List.of(MethodSettings.RADIUS, MethodSettings.ANCHOR),
+            GaussianArea.SETTINGS,
+            List.of(MethodSettings.FRESNEL));
 
     public static final MethodType TYPE =
             new MethodType("full", "all wavelengths, Gaussian coherence window.", SETTINGS, FullMethod::of);
@@ -30,7 +31,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
     }
 
     public static FullMethod thesis() {
-        return new FullMethod(TableChoices.THESIS, GaussianArea.THESIS, FresnelFactor.SQUARED);
+        return of(Choices.none().with(MethodSettings.PRESET, Preset.THESIS));
     }
 
     @Override

@@ -1,12 +1,5 @@
 package sunbeam.precompute.method;
 
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
-import static sunbeam.precompute.plan.MethodSettings.GEM_FORM;
-import static sunbeam.precompute.plan.MethodSettings.ORDERS;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
-import static sunbeam.precompute.plan.MethodSettings.SPACING;
-
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
@@ -15,6 +8,7 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.MethodSettings.GemForm;
 import sunbeam.precompute.plan.MethodSettings.Preset;
@@ -40,11 +34,17 @@ public record GemMethod(
     public static final MethodType TYPE = new MethodType(
             "gem",
             "formula with a grating's spacing alone, for comparison only.",
-            List.of(PRESET, SPACING, ORDERS, GEM_FORM, COHERENCE_LENGTH, FRESNEL),
+            List.of(
+                    MethodSettings.PRESET,
+                    MethodSettings.SPACING,
+                    MethodSettings.ORDERS,
+                    MethodSettings.GEM_FORM,
+                    MethodSettings.COHERENCE_LENGTH,
+                    MethodSettings.FRESNEL),
             choices -> new GemMethod(
-                    choices.find(SPACING),
-                    choices.find(ORDERS),
-                    choices.get(GEM_FORM, Preset.isThesis(choices) ? GemForm.THESIS : GemForm.STAM),
+                    choices.find(MethodSettings.SPACING),
+                    choices.find(MethodSettings.ORDERS),
+                    choices.get(MethodSettings.GEM_FORM, Preset.isThesis(choices) ? GemForm.THESIS : GemForm.STAM),
                     GaussianArea.windowOf(choices),
                     FresnelFactor.of(choices)));
 
@@ -69,7 +69,7 @@ public record GemMethod(
         double width = surface.map().width();
         if (spacing.isEmpty() && width > WIDEST_PERIOD) {
             throw new SettingException(
-                    SPACING,
+                    MethodSettings.SPACING,
                     "is needed: a patch that is " + Lengths.format(width)
                             + " wide is more than one period; give the grating's, for example 1um");
         }

@@ -1,11 +1,5 @@
 package sunbeam.precompute.method;
 
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
-import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
-import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
-
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
@@ -62,8 +56,14 @@ public record PqMethod(
     public static final MethodType TYPE = new MethodType(
             "pq",
             "the patch repeated Q times, with sharp edges.",
-            Setting.union(TableChoices.SETTINGS, List.of(COHERENCE_LENGTH, INTERPOLATION, REPLICAS, FRESNEL)),
-            Choices.none().with(AVERAGE, Average.COHERENT),
+            Setting.union(
+                    TableChoices.SETTINGS,
+                    List.of(
+                            MethodSettings.COHERENCE_LENGTH,
+                            MethodSettings.INTERPOLATION,
+                            MethodSettings.REPLICAS,
+                            MethodSettings.FRESNEL)),
+            Choices.none().with(MethodSettings.AVERAGE, Average.COHERENT),
             PqMethod::of);
 
     private static PqMethod of(Choices choices) {
@@ -71,13 +71,14 @@ public record PqMethod(
                 new TableChoices(choices),
                 interpolation(choices),
                 GaussianArea.windowOf(choices),
-                choices.find(REPLICAS),
+                choices.find(MethodSettings.REPLICAS),
                 FresnelFactor.of(choices));
     }
 
     public static PeriodInterpolation interpolation(Choices choices) {
         return choices.get(
-                INTERPOLATION, Preset.isThesis(choices) ? PeriodInterpolation.RING : PeriodInterpolation.SINC);
+                MethodSettings.INTERPOLATION,
+                Preset.isThesis(choices) ? PeriodInterpolation.RING : PeriodInterpolation.SINC);
     }
 
     @Override

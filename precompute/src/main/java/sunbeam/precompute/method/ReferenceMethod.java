@@ -1,10 +1,5 @@
 package sunbeam.precompute.method;
 
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
-import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
-import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
-
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
@@ -12,6 +7,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ExactLight.ReplicaLight;
@@ -25,7 +21,7 @@ public record ReferenceMethod(GaussianArea area, Optional<Replicas> replicas) im
     public static final MethodType TYPE = new MethodType(
             "reference",
             "exact sums in double precision on the processor; slow, not for maps.",
-            Setting.union(List.of(PRESET), GaussianArea.SETTINGS, List.of(REPLICAS)),
+            Setting.union(List.of(MethodSettings.PRESET), GaussianArea.SETTINGS, List.of(MethodSettings.REPLICAS)),
             ReferenceMethod::of);
 
     public ReferenceMethod(GaussianArea area) {
@@ -37,17 +33,24 @@ public record ReferenceMethod(GaussianArea area, Optional<Replicas> replicas) im
     }
 
     private static ReferenceMethod of(Choices choices) {
-        if (!choices.has(REPLICAS)) {
+        if (!choices.has(MethodSettings.REPLICAS)) {
             return new ReferenceMethod(GaussianArea.of(choices));
         }
-        if (choices.get(AVERAGE) == Average.ENSEMBLE) {
-            throw choices.complaint(AVERAGE, "is not for ", REPLICAS, ", which have one position; leave out one");
-        }
-        if (choices.has(WINDOW_ORIGIN)) {
+        if (choices.get(MethodSettings.AVERAGE) == Average.ENSEMBLE) {
             throw choices.complaint(
-                    WINDOW_ORIGIN, "belongs to the Gaussian window, which ", REPLICAS, " replace; leave out one");
+                    MethodSettings.AVERAGE,
+                    "is not for ",
+                    MethodSettings.REPLICAS,
+                    ", which have one position; leave out one");
         }
-        int count = choices.get(REPLICAS, 1);
+        if (choices.has(MethodSettings.WINDOW_ORIGIN)) {
+            throw choices.complaint(
+                    MethodSettings.WINDOW_ORIGIN,
+                    "belongs to the Gaussian window, which ",
+                    MethodSettings.REPLICAS,
+                    " replace; leave out one");
+        }
+        int count = choices.get(MethodSettings.REPLICAS, 1);
         return new ReferenceMethod(new Replicas(count, count));
     }
 

@@ -1,10 +1,5 @@
 package sunbeam.precompute.method;
 
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
-import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
-
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
@@ -22,6 +17,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.SpectrumPlan;
@@ -41,12 +37,12 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     public static final MethodType TYPE = new MethodType(
             "table",
             "colors of full, tabulated in advance: fastest if many pixels share a table; full is faster for a small map or a short list.",
-            List.of(TOLERANCE, WINDOW_ORIGIN, COHERENCE_LENGTH, AVERAGE),
-            choices -> new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices)));
-
-    public TableMethod {
-        TOLERANCE.kind().check(tolerance);
-    }
+            List.of(
+                    MethodSettings.TOLERANCE,
+                    MethodSettings.WINDOW_ORIGIN,
+                    MethodSettings.COHERENCE_LENGTH,
+                    MethodSettings.AVERAGE),
+            choices -> new TableMethod(choices.get(MethodSettings.TOLERANCE), GaussianArea.of(choices)));
 
     @Override
     public MethodType type() {
@@ -68,14 +64,14 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     void requireRoom(Surface surface, TableDesign design, MemoryNeed need) {
         surface.planner().excess(need).ifPresent(excess -> {
             throw SettingException.of(
-                    TOLERANCE,
+                    MethodSettings.TOLERANCE,
                     tolerance,
                     Text.format(
                             "and a table of colors in steps of %.2g in (u, v) %s; give a coarser ",
                             design.step(), excess),
-                    TOLERANCE,
+                    MethodSettings.TOLERANCE,
                     ", a shorter ",
-                    COHERENCE_LENGTH,
+                    MethodSettings.COHERENCE_LENGTH,
                     ", or ",
                     Methods.METHOD,
                     " full");

@@ -1,9 +1,5 @@
 package sunbeam.precompute.plan;
 
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
-
 import java.util.List;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -18,26 +14,21 @@ import sunbeam.precompute.setting.Setting;
 
 /** Coherence area with a Gaussian window, and the average over positions of the window. */
 public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average average) {
-    public static final GaussianArea STANDARD = new GaussianArea(
-            CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH),
-            WindowOrigin.CENTRE,
-            Average.COHERENT);
+    public static final GaussianArea STANDARD = of(Choices.none());
 
-    public static final GaussianArea THESIS =
-            new GaussianArea(STANDARD.window(), WindowOrigin.CORNER, Average.COHERENT);
-
-    public static final List<Setting<?>> SETTINGS = List.of(WINDOW_ORIGIN, COHERENCE_LENGTH, AVERAGE);
+    public static final List<Setting<?>> SETTINGS =
+            List.of(MethodSettings.WINDOW_ORIGIN, MethodSettings.COHERENCE_LENGTH, MethodSettings.AVERAGE);
 
     public static GaussianArea of(Choices choices) {
         boolean thesis = Preset.isThesis(choices);
         return new GaussianArea(
                 windowOf(choices),
-                choices.get(WINDOW_ORIGIN, thesis ? WindowOrigin.CORNER : WindowOrigin.CENTRE),
-                choices.get(AVERAGE));
+                choices.get(MethodSettings.WINDOW_ORIGIN, thesis ? WindowOrigin.CORNER : WindowOrigin.CENTRE),
+                choices.get(MethodSettings.AVERAGE));
     }
 
     public static CoherenceWindow windowOf(Choices choices) {
-        return CoherenceWindow.ofCoherenceLength(choices.get(COHERENCE_LENGTH));
+        return CoherenceWindow.ofCoherenceLength(choices.get(MethodSettings.COHERENCE_LENGTH));
     }
 
     /** Returns the exact diffracted light of a patch, evaluated by direct sums. */

@@ -19,10 +19,10 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.CoefficientTable;
 import sunbeam.precompute.spectrum.FourierTable;
-import sunbeam.precompute.spectrum.GridResampler;
-import sunbeam.precompute.spectrum.GridResampler.Axis;
-import sunbeam.precompute.spectrum.GridResampler.Order;
 import sunbeam.precompute.spectrum.InterpolationDesign;
+import sunbeam.precompute.spectrum.InterpolationDesign.GridResampler;
+import sunbeam.precompute.spectrum.InterpolationDesign.GridResampler.Axis;
+import sunbeam.precompute.spectrum.InterpolationDesign.GridResampler.Order;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.text.Text;
 

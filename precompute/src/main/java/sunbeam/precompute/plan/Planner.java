@@ -1,9 +1,5 @@
 package sunbeam.precompute.plan;
 
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
-import static sunbeam.precompute.plan.MethodSettings.TERMS;
-
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -101,8 +97,9 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
 
     private Expansion expansion(TableChoices table, VisibleRange range, ErrorBudget budget) {
         boolean thesis = table.isThesis();
-        Optional<Integer> chosen = table.choices().find(TERMS);
-        Expansion.Kind kind = table.choices().get(EXPANSION, thesis ? Expansion.Kind.TAYLOR : Expansion.Kind.LOWRANK);
+        Optional<Integer> chosen = table.choices().find(MethodSettings.TERMS);
+        Expansion.Kind kind =
+                table.choices().get(MethodSettings.EXPANSION, thesis ? Expansion.Kind.TAYLOR : Expansion.Kind.LOWRANK);
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
         double minimum = scale.phase(CieTable.MAXIMUM_WAVELENGTH, range.minimumW());
         double maximum = scale.phase(CieTable.MINIMUM_WAVELENGTH, range.maximumW());
@@ -121,7 +118,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
     private static void requireExpandable(HeightScale scale, double maximumPhase) {
         if (maximumPhase > LARGEST_PHASE) {
             throw SettingException.of(
-                    EXPANSION,
+                    MethodSettings.EXPANSION,
                     Expansion.Kind.LOWRANK,
                     Text.format(
                             "does not reach over a relief of %s, whose phases are up to %.0f rad, more than %.0f; method"
@@ -135,7 +132,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         double coherenceLength = window.coherenceLength();
         if (coherenceLength < FEWEST_SAMPLES * pitch) {
             throw SettingException.of(
-                    COHERENCE_LENGTH,
+                    MethodSettings.COHERENCE_LENGTH,
                     coherenceLength,
                     Text.format(
                             "is less than %.0f samples of the patch, which are %s apart; %s",
@@ -162,7 +159,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             String relief = Text.format(
                     " at this relief (%s, phases up to %.1f); use lowrank",
                     Lengths.format(2 * expansion.scale().halfRange()), expansion.maximumPhase());
-            throw SettingException.of(EXPANSION, Expansion.Kind.TAYLOR, problem + relief);
+            throw SettingException.of(MethodSettings.EXPANSION, Expansion.Kind.TAYLOR, problem + relief);
         }
         return expansion;
     }

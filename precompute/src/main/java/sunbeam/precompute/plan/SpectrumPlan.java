@@ -1,11 +1,5 @@
 package sunbeam.precompute.plan;
 
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.RADIUS;
-import static sunbeam.precompute.plan.MethodSettings.TERMS;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
-import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
-
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -122,11 +116,12 @@ public record SpectrumPlan(
                         Text.format(
                                 "%d %s terms leave an error of %.1g, more than the tolerance %s; give more ",
                                 expansion.terms(), ValueKind.name(expansion.kind()), expansion.error(), promised),
-                        TERMS,
+                        MethodSettings.TERMS,
                         ", or leave it out"));
             }
             if (sampling instanceof BinSampling bins && !bins.planned()) {
-                lines.add(Sentence.of("equal steps of the wavelength keep no tolerance; leave out ", WAVELENGTH_STEP));
+                lines.add(Sentence.of(
+                        "equal steps of the wavelength keep no tolerance; leave out ", MethodSettings.WAVELENGTH_STEP));
             }
         });
         return lines;
@@ -199,20 +194,20 @@ public record SpectrumPlan(
     Optional<SettingException> refusal(int rows, long heapLimit, long mostSteps) {
         return excess(rows, heapLimit, mostSteps)
                 .map(excess -> SettingException.of(
-                        COHERENCE_LENGTH,
+                        MethodSettings.COHERENCE_LENGTH,
                         window().coherenceLength(),
                         excess
                                 + "; method table, for the ensemble average, and method reference, for lists, take less; else crop the"
                                 + " patch, or give a coarser ",
-                        TOLERANCE,
+                        MethodSettings.TOLERANCE,
                         ", fewer ",
-                        TERMS,
+                        MethodSettings.TERMS,
                         ", a smaller ",
-                        RADIUS,
+                        MethodSettings.RADIUS,
                         ", a larger ",
-                        WAVELENGTH_STEP,
+                        MethodSettings.WAVELENGTH_STEP,
                         " or another ",
-                        COHERENCE_LENGTH));
+                        MethodSettings.COHERENCE_LENGTH));
     }
 
     /** Returns which limit is exceeded, as the end of a sentence that begins with "coherence length 65 um". */

@@ -29,17 +29,13 @@ public record ReferenceEvaluator(
 
     /** Throws IllegalArgumentException if samples are missing. */
     public ReferenceEvaluator(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
-        this(SurfaceSums.of(map), window, Axis.x(map, origin), Axis.y(map, origin));
-    }
-
-    private ReferenceEvaluator(SurfaceSums surface, CoherenceWindow window, Axis x, Axis y) {
         this(
-                surface,
+                SurfaceSums.of(map),
                 window,
-                x,
-                y,
-                x.window(window.sigmaMeters(), AMPLITUDE_REACH),
-                y.window(window.sigmaMeters(), AMPLITUDE_REACH));
+                Axis.x(map, origin),
+                Axis.y(map, origin),
+                Axis.x(map, origin).window(window.sigmaMeters(), AMPLITUDE_REACH),
+                Axis.y(map, origin).window(window.sigmaMeters(), AMPLITUDE_REACH));
     }
 
     /** Power of one coherence area, and its mean over all positions of the window. */

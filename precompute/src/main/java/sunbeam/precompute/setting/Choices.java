@@ -24,8 +24,6 @@ public final class Choices {
         }
     }
 
-    private static final Choices NONE = new Choices(new LinkedHashMap<>(), Origin.PROGRAM);
-
     private final Map<Setting<?>, Choice> choices;
     private final Origin home;
 
@@ -35,7 +33,7 @@ public final class Choices {
     }
 
     public static Choices none() {
-        return NONE;
+        return at(Origin.PROGRAM);
     }
 
     /** Returns an empty set; its home is the source of values without another, and of complaints about settings that were not chosen. */

@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.transform.DftNormalization;
 import org.apache.commons.math3.transform.FastFourierTransformer;
 import org.apache.commons.math3.transform.TransformType;
-import sunbeam.precompute.numerics.KaiserBessel;
+import sunbeam.precompute.spectrum.InterpolationDesign.KaiserBessel;
 
 /**
  * Two-dimensional inverse DFT of one period of a field, limited to a band of bins along each axis. The field is seen from above: column

@@ -2,9 +2,9 @@ package sunbeam.precompute.spectrum;
 
 import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
-import sunbeam.precompute.numerics.KaiserBessel;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
+import sunbeam.precompute.spectrum.InterpolationDesign.KaiserBessel;
 
 /**
  * Interpolation between the DFT bins of one period with sharp edges (thesis section 3.5), p_n being one of the N samples, at x_n:

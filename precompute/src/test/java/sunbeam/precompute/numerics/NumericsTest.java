@@ -3,7 +3,6 @@ package sunbeam.precompute.numerics;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -11,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.spectrum.PhaseNodes.GaussLegendre;
 
 final class NumericsTest {
     @ParameterizedTest
@@ -59,21 +59,5 @@ final class NumericsTest {
         assertThat(Quantiles.of(new double[] {infinite, 1, 2}, 0.5)).isEqualTo(2);
         assertThat(Quantiles.of(new double[] {infinite, 1, 2}, 0.51)).isInfinite();
         assertThat(Quantiles.of(new double[] {infinite, 1, infinite}, 0.75)).isInfinite();
-    }
-
-    @ParameterizedTest
-    @ValueSource(doubles = {1e-9, 1e-3, 4, 100, 1e6})
-    void theUnitCircleIsThatOfTheLibrary(double largest) {
-        double[] angles =
-                new SplittableRandom(7).doubles(1000, -largest, largest).toArray();
-        double[] sines = angles.clone();
-        double[] cosines = new double[angles.length];
-        UnitCircle.points(sines, cosines);
-        // A few units in the last place.
-        double rounding = 4e-16 * Math.max(4, largest);
-        for (int i = 0; i < angles.length; i++) {
-            assertThat(cosines[i]).isCloseTo(Math.cos(angles[i]), within(rounding));
-            assertThat(sines[i]).isCloseTo(Math.sin(angles[i]), within(rounding));
-        }
     }
 }

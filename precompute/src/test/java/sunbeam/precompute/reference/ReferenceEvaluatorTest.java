@@ -18,6 +18,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.reference.ExactLight.ReplicaLight;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
+import sunbeam.precompute.reference.SurfaceSums.UnitCircle;
 
 /** Symmetries of the reference, and its ensemble average as a mean over positions of the window. */
 class ReferenceEvaluatorTest {
@@ -181,5 +182,21 @@ class ReferenceEvaluatorTest {
         assertThat(Replicas.filling(sunlight, 2.5e-6, 2.5e-6)).isEqualTo(new Replicas(26, 26));
         assertThat(Replicas.filling(sunlight, 65e-6, 25e-9)).isEqualTo(new Replicas(1, 2600));
         assertThat(Replicas.filling(sunlight, 1e-3, 1e-3)).isEqualTo(new Replicas(1, 1));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-9, 1e-3, 4, 100, 1e6})
+    void theUnitCircleIsThatOfTheLibrary(double largest) {
+        double[] angles =
+                new SplittableRandom(7).doubles(1000, -largest, largest).toArray();
+        double[] sines = angles.clone();
+        double[] cosines = new double[angles.length];
+        UnitCircle.points(sines, cosines);
+        // A few units in the last place.
+        double rounding = 4e-16 * Math.max(4, largest);
+        for (int i = 0; i < angles.length; i++) {
+            assertThat(cosines[i]).isCloseTo(Math.cos(angles[i]), within(rounding));
+            assertThat(sines[i]).isCloseTo(Math.sin(angles[i]), within(rounding));
+        }
     }
 }

@@ -142,7 +142,7 @@ class FourierTableTest {
         FourierTable table = FourierTable.of(heights, expansion, Band.of(-2, 3), Band.of(-4, 1), done -> {});
         Path file = folder.resolve("table.h5");
 
-        TableFile.write(file, table, "test patch µ", "digest");
+        table.write(file, "test patch µ", "digest");
 
         try (HdfFile hdf = new HdfFile(file)) {
             float[][][][] terms = (float[][][][]) hdf.getDatasetByPath("terms").getData();

@@ -11,7 +11,7 @@ import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.evaluation.GratingPlane;
-import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
+import sunbeam.precompute.evaluation.GratingPlane.ResponseMatrix.ResponseGrid;
 import sunbeam.precompute.evaluation.Ridge.Peaks;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.MethodSettings;

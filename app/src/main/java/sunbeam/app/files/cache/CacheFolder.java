@@ -29,7 +29,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.shader.ShaderTablesFile;
-import sunbeam.precompute.shader.TableLabel;
+import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
 
 /**
  * Cache folder, whose files can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base Directory

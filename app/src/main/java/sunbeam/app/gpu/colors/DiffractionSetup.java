@@ -36,7 +36,7 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.ShaderTablesFile;
-import sunbeam.precompute.shader.TableLabel;
+import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.spectrum.FourierTable;
 
 /**

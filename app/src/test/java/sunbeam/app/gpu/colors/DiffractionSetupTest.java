@@ -45,8 +45,8 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
+import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.shader.TableLabel;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /** Tables are made once, and are read back unchanged. */
