@@ -58,7 +58,7 @@ enum SimulatedGrating {
             return depth * height + tilt * x + noise * random.nextGaussian();
         });
         double[] truths = this == TWO ? new double[] {period, period * ratio} : new double[] {period};
-        return new FaultyScan(map, truths, false, this + " seed " + seed);
+        return new FaultyScan(map, truths, this + " seed " + seed);
     }
 
     private double[] lines(SplittableRandom random, int count, double disorder) {

@@ -150,13 +150,6 @@ class VerdictTest {
         assertThat(longer.reason()).startsWith("no order found with a period of 2 um to 3 um; ");
     }
 
-    @Test
-    void aProfileOfASineIsAllSine() {
-        Patch profile = piece(Surfaces.of(512, 1, 40e-9, (x, y) -> sine(x, 1.1e-6)));
-        // The window's tails beyond three bins hold less than a percent.
-        assertThat(GratingPeriod.of(profile).share()).isGreaterThan(0.99);
-    }
-
     /** The lines end in the middle of the scan: the part that was measured has its period. */
     @Test
     void rowsThatHoldNoMeasurementAreLeftOut() {
@@ -167,23 +160,6 @@ class VerdictTest {
         GratingPeriod period = GratingPeriod.of(piece(stopped, fault));
         assertThat(period.isSure()).isTrue();
         assertThat(1.2e-6 / Math.hypot(1, 0.2)).isBetween(period.low(), period.high());
-    }
-
-    /** Waves of one length in directions 60 or 90 degrees apart. */
-    @ParameterizedTest
-    @CsvSource({"3, 60, hexagonal, '-55, 5 and 65', 1.38", "2, 90, square, '-85 and 5', 1.2"})
-    void gratingsAlikeInTwoOrThreeDirectionsAreALattice(
-            int count, double step, String kind, String directions, String constant) {
-        DoubleBinaryOperator waves = (x, y) -> IntStream.range(0, count)
-                .mapToDouble(i -> Math.toRadians(5 + step * i))
-                .map(angle -> 40e-9 * Math.cos(2 * Math.PI / 1.2e-6 * (x * Math.cos(angle) + y * Math.sin(angle))))
-                .sum();
-        Patch patch = piece(waves);
-        Verdict verdict = Verdict.of(patch, GratingPeriod.of(patch));
-        assertThat(verdict.code()).isEqualTo(Verdict.Code.LATTICE);
-        assertThat(verdict.sentence())
-                .startsWith("A " + kind + " lattice with a constant of " + constant)
-                .contains("its lines 1.2 um apart across " + directions + " degrees: first-order colors at 19 to 36");
     }
 
     private static double wave(double x, double y, double period, double degrees) {

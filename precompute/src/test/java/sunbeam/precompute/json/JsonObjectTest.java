@@ -9,7 +9,11 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -20,6 +24,7 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
 
+/** Choices of settings from JSON, and messages about choices from any place. */
 class JsonObjectTest {
     private static final Setting<Double> LENGTH =
             new Setting<>("coherenceLength", ValueKind.length(100e-9, 10e-3), "").inFiles("window");
@@ -102,5 +107,46 @@ class JsonObjectTest {
         JsonObject read = JsonObject.read(
                 "copy.json", new ByteArrayInputStream(text.toString().getBytes(StandardCharsets.UTF_8)));
         assertThat(read.choices(ALL)).isEqualTo(choices);
+    }
+
+    private static final Origin OPTION = Origin.of(Origin.Place.OPTION, setting -> "--" + setting.words("-"));
+
+    @Test
+    void aComplaintWithoutAPlaceGetsThatOfTheChoiceItIsAbout() {
+        Choices choices = Choices.none().with(TERMS, 12, OPTION);
+        assertThatThrownBy(() -> choices.located(() -> {
+                    throw new SettingException(TERMS, "are too many; give fewer, or another ", LENGTH);
+                }))
+                .hasMessage("--terms 12 are too many; give fewer, or another --coherence-length");
+        assertThatThrownBy(() -> choices.located(() -> {
+                    throw new SettingException(LENGTH, "is missing");
+                }))
+                .hasMessage("coherence length is missing");
+    }
+
+    @Test
+    void complaintsAboutADefaultShowItsValue() {
+        Choices choices = Choices.at(OPTION).with(TERMS, 12);
+        assertThatThrownBy(() -> choices.located(() -> {
+                    throw SettingException.of(LENGTH, 65e-6, "is too long");
+                }))
+                .hasMessage("--coherence-length 65 um is too long");
+        assertThatThrownBy(() -> choices.located(() -> {
+                    throw SettingException.of(TERMS, 13, "are too many");
+                }))
+                .as("what was chosen is shown as it was chosen")
+                .hasMessage("--terms 12 are too many");
+    }
+
+    /** Options in code, comments aside, but for one of Gwyddion's and that of numbers whose decimal mark is unclear. */
+    private static final Pattern OPTION_NAME =
+            Pattern.compile("(?m)^(?!\\s*(?:/?\\*|//)).*(?<![\\w-])--(?!convert-to-gwy=|decimal-mark )[a-z]");
+
+    @Test
+    void noTextNamesAnOption() throws IOException {
+        try (Stream<Path> sources = Files.walk(Path.of("src", "main", "java"))) {
+            assertThat(sources.filter(Files::isRegularFile))
+                    .allSatisfy(source -> assertThat(source).content().doesNotContainPattern(OPTION_NAME));
+        }
     }
 }

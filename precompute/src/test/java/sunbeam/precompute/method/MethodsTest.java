@@ -60,13 +60,6 @@ class MethodsTest {
     }
 
     @Test
-    void pqAcceptsItsSingleAverageOnly() {
-        assertThat(Methods.of(PQ.with(AVERAGE, Average.COHERENT))).isEqualTo(Methods.of(PQ));
-        assertThatThrownBy(() -> Methods.of(PQ.with(AVERAGE, Average.ENSEMBLE)))
-                .hasMessageStartingWith("average ensemble is not for method pq, which has coherent only; leave it out");
-    }
-
-    @Test
     void thesisPresetAppliesToEachMethodUnderTheChoices() {
         PqMethod pq = (PqMethod) Methods.of(PQ.over(THESIS));
         assertThat(pq.interpolation()).isEqualTo(PeriodInterpolation.RING);

@@ -25,15 +25,4 @@ class HeightMapTest {
 
         assertThat(new HeightMap(200, 90, 1e-9, 2e-9, heights).digest()).isEqualTo(expected);
     }
-
-    @Test
-    void samplesThatAreNotNumbersOrInfiniteAreMissing() {
-        assertThat(new HeightMap(2, 1, 1e-9, 1e-9, new double[] {0, 1e-9}).isComplete())
-                .isTrue();
-        for (double missing : new double[] {Double.NaN, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY}) {
-            assertThat(new HeightMap(2, 1, 1e-9, 1e-9, new double[] {0, missing}).isComplete())
-                    .as("" + missing)
-                    .isFalse();
-        }
-    }
 }
