@@ -73,7 +73,7 @@ public record Workplace(Path folder, Path caches) {
         StringWriter err = new StringWriter();
         Environment environment = new Environment(Map.of("XDG_CACHE_HOME", caches.toString()), folder);
 
-        int code = new sunbeam.app.cli.Sunbeam(environment, new PrintWriter(out), new PrintWriter(err))
+        int code = new sunbeam.app.cli.program.Sunbeam(environment, new PrintWriter(out), new PrintWriter(err))
                 .run(withPlaces(arguments));
 
         assertThat(names(Path.of("")))

@@ -3,7 +3,7 @@ package sunbeam.app;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.util.Locale;
-import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.program.Sunbeam;
 import sunbeam.app.terminal.Environment;
 
 /** Entry point of the {@code sunbeam} command. */

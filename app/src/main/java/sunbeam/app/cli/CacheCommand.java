@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.ByteSize;

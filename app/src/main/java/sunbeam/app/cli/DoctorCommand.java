@@ -15,8 +15,6 @@ import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import sunbeam.app.cli.options.JsonOption;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;

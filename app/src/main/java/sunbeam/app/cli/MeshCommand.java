@@ -14,8 +14,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import sunbeam.app.cli.options.FileCommand;
-import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;

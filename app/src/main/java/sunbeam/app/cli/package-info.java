@@ -1,2 +1,2 @@
-/** All of the command line: the program, its commands, of which the larger ones have packages, and their options; nothing else knows picocli. */
+/** Commands of one or two classes, and the options and outputs that commands share; larger commands have packages. Nothing else knows picocli. */
 package sunbeam.app.cli;

@@ -18,7 +18,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.program.Sunbeam;
 import sunbeam.app.terminal.Environment;
 
 /**

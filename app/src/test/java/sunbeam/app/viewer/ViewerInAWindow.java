@@ -35,7 +35,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.program.Sunbeam;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.render.Pick;
 import sunbeam.app.render.SceneData;

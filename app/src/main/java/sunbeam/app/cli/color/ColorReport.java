@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.precompute.analysis.GratingPeriod;

@@ -13,7 +13,7 @@ import java.util.function.Function;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.Stream;
 import sunbeam.app.cli.export.BsdfMaterial.Slice;
-import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.gpu.DirectionsRenderer.Query;

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
 import sunbeam.precompute.colortable.NumberFormat;

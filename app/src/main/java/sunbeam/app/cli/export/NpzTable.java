@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.zip.ZipOutputStream;
-import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.precompute.analysis.EnergyDivisor;

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
-import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.plot.Plot;

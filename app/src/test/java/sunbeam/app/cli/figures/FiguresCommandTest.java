@@ -15,7 +15,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 import sunbeam.app.cli.CommandLineFixture;
-import sunbeam.app.cli.collection.Collection;
+import sunbeam.app.cli.Collection;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.terminal.Environment;

@@ -1,0 +1,151 @@
+package sunbeam.app.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.files.output.TevClient;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.DisplayTransform.Primaries;
+import sunbeam.precompute.color.DisplayTransform.Tone;
+import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.units.Decimals;
+
+/** Options {@code --exposure}, {@code --tone} and {@code --primaries}; a picocli mixin. */
+public final class DisplayOptions {
+    private static final String AUTOMATIC = "auto";
+    private static final String FIRST = "first";
+    private static final ValueKind<Tone> TONES = ValueKind.word("CURVE", Tone.class);
+
+    @Option(
+            names = "--exposure",
+            paramLabel = "FACTOR",
+            defaultValue = AUTOMATIC,
+            description = "Factor for the linear colors; auto (default): chosen from the pictures, one for all; first:"
+                    + " chosen from the first; or FILE.png, a picture of Sunbeam whose exposure is used.")
+    private String exposure;
+
+    @Option(
+            names = "--tone",
+            paramLabel = "CURVE",
+            description = "Display of light brighter than the screen: compress (default) keeps its hue; clip cuts each"
+                    + " channel, as the thesis does (default with --preset thesis); gamma also has the exponent 1 / 2.5 of"
+                    + " the thesis's program.")
+    private String tone;
+
+    @Option(names = "--primaries", paramLabel = "RGB", description = SceneSettings.PRIMARIES_HELP)
+    private String primaries;
+
+    /** Returns the rule that chooses one factor of linear colors for all pictures; reads the picture that {@code --exposure} may name. */
+    public ToDoubleFunction<List<LinearPicture>> parse() {
+        display(1, Choices.none());
+        if (isAutomatic()) {
+            int limit = isOfAll() ? Integer.MAX_VALUE : 1;
+            return list -> LinearPicture.exposure(list.stream().limit(limit).toArray(LinearPicture[]::new));
+        }
+        boolean isPicture = exposure.toLowerCase(Locale.ROOT).endsWith(".png");
+        double value = isPicture ? recorded() : Decimals.parse(exposure).orElse(Double.NaN);
+        UsageException.throwIf(
+                !(value > 0),
+                "--exposure '" + exposure
+                        + "' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from"
+                        + Decimals.commaRemedy(exposure));
+        return pictures -> value;
+    }
+
+    /** Returns the transform to the screen; tone and primaries default to those of the method's preset. */
+    public DisplayTransform display(double factor, Choices method) {
+        boolean isThesis = Preset.isThesis(method);
+        return new DisplayTransform(
+                factor,
+                parsed("--tone", tone, TONES, Tone.of(isThesis)),
+                parsed("--primaries", primaries, SceneSettings.PRIMARIES.kind(), Primaries.of(isThesis)));
+    }
+
+    private static <T> T parsed(String option, String text, ValueKind<T> kind, T standard) {
+        try {
+            return text == null ? standard : kind.parse(text);
+        } catch (IllegalArgumentException wrong) {
+            throw new UsageException(option + " " + wrong.getMessage());
+        }
+    }
+
+    /** True if the factor is computed from pictures. */
+    public boolean isAutomatic() {
+        return isOfAll() || exposure.equalsIgnoreCase(FIRST);
+    }
+
+    public boolean isOfAll() {
+        return exposure.equalsIgnoreCase(AUTOMATIC);
+    }
+
+    private double recorded() {
+        String text = PngText.read(Path.of(exposure)).getOrDefault("Exposure", "");
+        double value = Decimals.parse(text).orElse(Double.NaN);
+        if (!(value > 0)) {
+            throw new InputException("cannot take the exposure of " + exposure
+                    + ": it has no text 'Exposure' with a number above 0; name a picture that Sunbeam has written");
+        }
+        return value;
+    }
+
+    /** Option {@code --tev} of commands that draw pictures; a picocli mixin. */
+    public static final class TevOption {
+        @Option(
+                names = "--tev",
+                description =
+                        "Also send the linear colors (Rec. 709 and alpha, before exposure) to the viewer tev, which"
+                                + " has to run on this machine (port 14158): scenes tile by tile, maps when they are drawn.")
+        private boolean asked;
+
+        /** Returns the connection to tev, which must run; empty without the option. */
+        public Optional<TevClient> connect(PrintWriter err) {
+            return asked ? Optional.of(TevClient.connect(TevClient.PORT, err)) : Optional.empty();
+        }
+    }
+
+    /** Width and height of a picture in pixels, 1 to 16384 each. */
+    public record PictureSize(int width, int height) {
+        private static final int LARGEST = 16_384;
+        /** Limit of pixels: 2 GiB of linear light at 16 bytes a pixel. */
+        private static final long MOST_PIXELS = 1L << 27;
+
+        public PictureSize {
+            boolean sides = width >= 1 && height >= 1 && width <= LARGEST && height <= LARGEST;
+            if (!sides || (long) width * height > MOST_PIXELS) {
+                throw new IllegalArgumentException(width + "x" + height + " is out of range; give sides of 1 to "
+                        + LARGEST + " and at most " + (MOST_PIXELS >> 20) + " million pixels");
+            }
+        }
+
+        @Override
+        public String toString() {
+            return width + "x" + height;
+        }
+
+        /** Parses {@code WIDTHxHEIGHT}, or the side of a square. */
+        public static PictureSize parse(String text) {
+            if (!text.strip().matches("\\d{1,6}([xX]\\d{1,6})?")) {
+                throw new TypeConversionException(
+                        "'" + text + "' is not a size; give WIDTHxHEIGHT as in 800x600, or one side of a square");
+            }
+            String[] sides = text.strip().split("[xX]", -1);
+            try {
+                return new PictureSize(Integer.parseInt(sides[0]), Integer.parseInt(sides[sides.length - 1]));
+            } catch (IllegalArgumentException outOfRange) {
+                throw new TypeConversionException(outOfRange.getMessage());
+            }
+        }
+    }
+}

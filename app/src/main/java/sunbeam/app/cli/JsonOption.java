@@ -1,0 +1,116 @@
+package sunbeam.app.cli;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.SerializationFeature;
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.measure.errors.Certificate;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.errors.ErrorStatistics;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.prepare.ScanFaults.ScanFault;
+
+/** Option {@code --json}, which prints the report as JSON in place of text; a picocli mixin. */
+public final class JsonOption {
+    @Option(
+            names = "--json",
+            description = "Print the report as one JSON object, for programs; lengths are in meters (_m), angles in"
+                    + " degrees (_deg), times in seconds (_s). Fields may be added in later versions, but keep their"
+                    + " names and units (docs/reference/report.schema.json).")
+    private boolean asked;
+
+    public boolean isGiven() {
+        return asked;
+    }
+
+    /** Returns the stream for lines of text: with {@code --json} one that drops them. */
+    public PrintWriter text(PrintWriter out) {
+        return asked ? new PrintWriter(Writer.nullWriter()) : out;
+    }
+
+    /** Prints the names of written files, or with {@code --json} the report as one JSON object with them. */
+    public void print(PrintWriter out, Map<String, ?> report, List<Path> files) {
+        List<String> names = files.stream().map(StandardOutput::name).toList();
+        if (asked) {
+            Map<String, Object> all = new LinkedHashMap<>(report);
+            all.put("files", names);
+            print(out, all);
+        } else {
+            names.forEach(out::println);
+        }
+    }
+
+    public static void print(PrintWriter out, Map<String, ?> report) {
+        out.println(text(report));
+    }
+
+    /** Returns a report as one JSON object in the map's order; infinities and NaN become strings, as JSON has no numbers for them. */
+    public static String text(Map<String, ?> report) {
+        try {
+            return new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT).writeValueAsString(report);
+        } catch (JsonProcessingException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+
+    /** Returns verdict, period and faults of a surface: lengths in meters, angles in degrees; null for values that are unknown. */
+    public static Map<String, Object> fields(Patch patch, GratingPeriod period, Verdict verdict) {
+        boolean sure = period.isSure();
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("patch", patch.name());
+        fields.put("source", patch.source());
+        fields.put("verdict_code", verdict.code().label());
+        fields.put("verdict", verdict.sentence());
+        fields.put("period_m", sure ? period.period() : null);
+        fields.put("period_low_m", sure ? period.low() : null);
+        fields.put("period_high_m", sure ? period.high() : null);
+        fields.put("period_probability", sure ? GratingPeriod.PROBABILITY : null);
+        fields.put("direction_deg", sure ? Math.toDegrees(period.azimuth()) : null);
+        fields.put("direction_half_width_deg", sure ? Math.toDegrees(period.azimuthHalfWidth()) : null);
+        fields.put("periods_in_the_scan", sure && !period.isExact() ? period.periods() : null);
+        fields.put("share_of_variance", sure ? period.share() : null);
+        fields.put("period_not_told", sure ? null : period.reason());
+        fields.put("about_m", period.isSeen() ? period.period() : null);
+        fields.put("directions_deg", period.isSeen() ? period.directions() : List.of());
+        fields.put(
+                "first_orders_deg",
+                verdict.firstOrders().stream()
+                        .map(band -> List.of(hundredths(band.blue()), hundredths(band.red())))
+                        .toList());
+        fields.put("faults", patch.faults().stream().map(ScanFault::line).toList());
+        fields.put("notes", patch.notes());
+        fields.put("warnings", patch.warnings());
+        return fields;
+    }
+
+    private static double hundredths(double degrees) {
+        return Math.rint(100 * degrees) / 100;
+    }
+
+    /** Returns relative errors; their number alone if there are none. */
+    public static Map<String, Object> fields(ErrorStatistics errors) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("count", errors.count());
+        if (errors.count() > 0) {
+            fields.put("median", errors.median());
+            fields.put("percentile_95", errors.percentile95());
+            fields.put("maximum", errors.maximum());
+        }
+        return fields;
+    }
+
+    public static Map<String, Object> fields(Certificate certificate) {
+        Map<String, Object> fields = fields(certificate.relative());
+        fields.put("missed", certificate.missed());
+        fields.put("summary", certificate.summary());
+        return fields;
+    }
+}

@@ -1,0 +1,308 @@
+package sunbeam.app.cli;
+
+import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.precompute.colortable.ColorTable.MIDDLE_WAVELENGTH;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import jrtr.gl.RenderContext;
+import org.joml.Vector3f;
+import sunbeam.app.cli.MaterialMap.Result;
+import sunbeam.app.files.plot.MapAnnotation;
+import sunbeam.app.gpu.BrdfMapRenderer;
+import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.DiffractionSetup;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.measure.errors.Certificate;
+import sunbeam.app.scene.Energy;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
+import sunbeam.precompute.analysis.EnergyDivisor;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
+import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * BRDF map of one patch of any material: the sum of one map for each part of its reflection and of a lamp. Shaders compute the standard
+ * material; for another, each map is multiplied by a factor that depends only on the pair of directions. A lamp's directions blur (u, v);
+ * as in scenes, the ensemble under a shorter window has the same blur at 550 nm.
+ */
+final class MaterialMap {
+    // Distance between a lamp's directions, in deviations of an order under the shorter window, as in footprint.glsl.
+    private static final double SPACING = 1.6;
+    private static final int MOST_DIRECTIONS = 8;
+
+    private final DiffractionSetup setup;
+    private final Choices choices;
+    private final Method method;
+    private final RefractiveIndex index;
+    private final Direction light;
+    private final List<Part> parts;
+
+    private record Point(Direction towards, double share, Choices choices) {}
+
+    /** Map to add: one part of the reflection under one point of light, divided where energy is conserved. */
+    private record Part(Point point, ReflectionPart reflection, CieTable cie, MethodPlan plan) {}
+
+    /** A drawn map with its patch, light and settings, and the validation of each part's color table, empty without tables. */
+    record Result(
+            Patch patch,
+            Direction light,
+            Method method,
+            String plan,
+            String trial,
+            double coherenceLength,
+            LinearPicture picture) {}
+
+    /** @throws SettingException if the choices have a lamp and no ensemble average */
+    MaterialMap(DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light) {
+        this.setup = setup;
+        this.choices = choices;
+        this.method = Methods.of(choices);
+        this.index = index;
+        this.light = light;
+        Optional<EnergyDivisor> divisor = choices.get(SceneSettings.ENERGY, Energy.SCALAR)
+                .divisor(setup.patch().heights(), index, choices);
+        List<ReflectionPart> reflections = ReflectionPart.of(index, setup.cie());
+        this.parts = points().stream()
+                .flatMap(point -> reflections.stream().map(part -> part(point, part, divisor)))
+                .toList();
+    }
+
+    private Part part(Point point, ReflectionPart reflection, Optional<EnergyDivisor> divisor) {
+        Direction inPatch = point.towards.turned(-choices.get(ROTATE_PATCH));
+        CieTable cie =
+                divisor.map(found -> found.under(inPatch, reflection.cie())).orElse(reflection.cie());
+        MethodPlan plan = Methods.of(point.choices).plan(setup.surface().withLight(cie), VisibleRange.of(inPatch));
+        return new Part(point, reflection, cie, plan);
+    }
+
+    private List<Point> points() {
+        double diameter = choices.get(ANGULAR_DIAMETER, 0.0);
+        if (diameter == 0) {
+            return List.of(new Point(light, 1, choices));
+        }
+        if (Preset.isThesis(choices) || !method.type().has(AVERAGE) || choices.get(AVERAGE) != Average.ENSEMBLE) {
+            throw SettingException.of(
+                    ANGULAR_DIAMETER, diameter, "needs the ensemble average of methods full and table; leave it out");
+        }
+        Vector3f towards = new Vector3f((float) light.x(), (float) light.y(), (float) light.z());
+        return new SceneLight(towards, 1, diameter)
+                .narrow().stream().flatMap(this::points).toList();
+    }
+
+    /** Spreads a lamp's light along its major axis in (u, v), across the plane of incidence; the window blurs both axes alike. */
+    private Stream<Point> points(SceneLight lamp) {
+        double sine = Math.hypot(lamp.towards().x(), lamp.towards().y());
+        double minor = lamp.deviation() * Math.max(lamp.towards().z(), Math.sqrt(12) / (SPACING * MOST_DIRECTIONS));
+        CoherenceWindow window = GaussianArea.windowOf(choices);
+        double frequency = window.sigmaFrequency();
+        // Power is the square of an amplitude.
+        double wider = Math.hypot(frequency, Math.sqrt(2) * minor / MIDDLE_WAVELENGTH);
+        Choices shorter = choices.with(COHERENCE_LENGTH, window.coherenceLength() * frequency / wider);
+        double length = Math.sqrt(12 * Math.max(0, Math.pow(lamp.deviation(), 2) - minor * minor));
+        int count = Math.max(1, (int) Math.ceil(length / (SPACING * MIDDLE_WAVELENGTH * wider / Math.sqrt(2))));
+        Vector3f across = sine > 0
+                ? new Vector3f(-lamp.towards().y(), lamp.towards().x(), 0).div((float) sine)
+                : new Vector3f(1, 0, 0);
+        double share = lamp.intensity() * Math.pow(frequency / wider, 2) / count;
+        return IntStream.range(0, count)
+                .mapToObj(i -> across.mul((float) (length * ((i + 0.5) / count - 0.5)), new Vector3f())
+                        .add(lamp.towards())
+                        .normalize())
+                .filter(point -> point.z() > 0)
+                .map(point -> new Point(new Direction(point.x(), point.y(), point.z()), share, shorter));
+    }
+
+    MethodPlan plan() {
+        return parts.get(0).plan;
+    }
+
+    /** Compares random pixels with the reference; the material must have no dispersion. */
+    Certificate certify(LinearPicture picture, int count, double exposure, double tolerance) {
+        DiscDirections directions = new DiscDirections(picture.width(), light);
+        Part part = parts.get(0);
+        return new Certificate.Certifier(
+                        setup.withLight(part.cie).exact(method),
+                        pixel -> directions.at(pixel).turned(-choices.get(ROTATE_PATCH)),
+                        part.reflection::overStandard,
+                        setup.progress())
+                .certify(picture, count, exposure, tolerance);
+    }
+
+    Result draw(RenderContext context, int size) {
+        float[] sum = new float[3 * size * size];
+        double sigma = 0;
+        List<String> trials = new ArrayList<>();
+        for (int i = 0; i < parts.size(); i++) {
+            Part part = parts.get(i);
+            String label = "BRDF map" + (parts.size() > 1 ? " " + (i + 1) + " of " + parts.size() : "");
+            ShaderTables made = setup.tables(part.plan, ShaderTables.MethodUse.COLOR);
+            trials.add(made.trial());
+            try (UploadedTables tables = UploadedTables.upload(context, made);
+                    BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, choices.get(ROTATE_PATCH));
+                    Progress progress = setup.progress().start(label, (long) size * size)) {
+                add(renderer.render(part.point.towards, progress::step), part, sum);
+                sigma = tables.windowSigma();
+            }
+        }
+        boolean isPoint = parts.get(0).point.choices.equals(choices);
+        double length = isPoint ? 4 * sigma : GaussianArea.windowOf(choices).coherenceLength();
+        String trial = trials.stream().filter(line -> !line.isEmpty()).collect(Collectors.joining("; "));
+        LinearPicture picture = new LinearPicture(size, size, sum);
+        return new Result(setup.patch(), light, method, plan().summary(), trial, length, picture);
+    }
+
+    private void add(LinearPicture map, Part part, float[] sum) {
+        DiscDirections directions = new DiscDirections(map.width(), part.point.towards);
+        boolean squared = FresnelFactor.of(choices) == FresnelFactor.SQUARED;
+        for (int pixel = 0; pixel < sum.length / 3; pixel++) {
+            // The standard material's map stays as drawn, to the last bit.
+            boolean scaled = map.covered(pixel) && !index.isStandard();
+            double once = scaled ? part.reflection.overStandard(directions.at(pixel)) : 1;
+            double factor = part.point.share * (squared ? once * once : once);
+            for (int c = 3 * pixel; c < 3 * pixel + 3; c++) {
+                sum[c] += (float) (factor * map.xyz()[c]);
+            }
+        }
+    }
+
+    record MapSheet(List<Result> maps, DisplayTransform display) {
+        private static final int MOST_COLUMNS = 3;
+        private static final int GAP = 8;
+
+        BufferedImage plain() {
+            return sheet(maps.stream().map(this::disc).toList());
+        }
+
+        private BufferedImage disc(Result map) {
+            return map.picture().shown(display);
+        }
+
+        /** Draws the maps with rings, marks and captions; the choices are those before a scan's size limits the coherence length. */
+        BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
+            Choices light = asked.only(LightSettings.ALL)
+                    .over(asked.only(List.of(SceneSettings.ROTATE_PATCH, SceneSettings.ANGULAR_DIAMETER)));
+            String remarks = (light.chosen().isEmpty() ? "" : light.describe() + "; ")
+                    + index.map(words -> "refractive index " + words + "; ").orElse("");
+            return sheet(maps.stream()
+                    .map(map -> new MapAnnotation(disc(map), map.light(), caption(map, remarks, asked, exposed)).draw())
+                    .toList());
+        }
+
+        /** Returns a paragraph for the patch, one for light and window with remarks on what differs from the defaults, and the last one. */
+        private static List<String> caption(Result map, String remarks, Choices asked, String last) {
+            Patch patch = map.patch();
+            Direction light = map.light();
+            ReferenceMethod exact = map.method().referenceMethod(patch.heights());
+            String average = exact.area().average() == Average.COHERENT ? ", one coherence area" : ", ensemble average";
+            Optional<String> side = ScanLimit.of(asked, patch).limiting();
+            String size = length(patch.heights().width()) + " x "
+                    + length(patch.heights().height());
+            String aim = Text.format(
+                    "light %s\u00b0 from the normal, azimuth %s\u00b0; ",
+                    degrees(Math.atan2(Math.hypot(light.x(), light.y()), light.z())),
+                    degrees(Math.atan2(light.y(), light.x())));
+            String window = "coherence length " + length(map.coherenceLength())
+                    + side.map(limit -> " (the scan's " + limit + ")").orElse("")
+                    + (exact.replicas().isPresent() ? "" : average);
+            return List.of(
+                    patch.name() + ": " + size + ", relief "
+                            + length(patch.scan().relief()),
+                    aim + remarks + window + "; method " + map.method().type().label(),
+                    last);
+        }
+
+        private static String length(double meters) {
+            return Lengths.rounded(meters, 4);
+        }
+
+        private static String degrees(double radians) {
+            return Decimals.format(Math.round(1e4 * Math.toDegrees(radians)) * 1e-4 + 0.0);
+        }
+
+        Optional<Patch> black() {
+            return maps.stream()
+                    .filter(map -> DoubtfulPicture.isBlack(disc(map)))
+                    .map(Result::patch)
+                    .findFirst();
+        }
+
+        List<Patch> patches() {
+            return maps.stream().map(Result::patch).distinct().toList();
+        }
+
+        Map<String, String> text() {
+            Map<String, String> text = new LinkedHashMap<>();
+            text.put("Title", "BRDF map of " + joined(patches(), Patch::name, ", "));
+            text.put("Patch", joined(patches(), Patch::source, "; "));
+            text.put("Plan", joined(maps, Result::plan, "; "));
+            if (!maps.get(0).trial().isEmpty()) {
+                text.put("Table", joined(maps, Result::trial, "; "));
+            }
+            text.put("Exposure", Double.toString(display.exposure()));
+            return text;
+        }
+
+        private static <T> String joined(List<T> parts, Function<T, String> words, String between) {
+            return parts.stream().map(words).collect(Collectors.joining(between));
+        }
+
+        /** Lays pictures side by side, at most three in a row, tops aligned, transparent between them; a single one stays. */
+        private static BufferedImage sheet(List<BufferedImage> pictures) {
+            if (pictures.size() == 1) {
+                return pictures.get(0);
+            }
+            int columns = Math.min(MOST_COLUMNS, pictures.size());
+            int rows = (pictures.size() + columns - 1) / columns;
+            int width =
+                    pictures.stream().mapToInt(BufferedImage::getWidth).max().orElseThrow();
+            int height =
+                    pictures.stream().mapToInt(BufferedImage::getHeight).max().orElseThrow();
+            BufferedImage sheet = new BufferedImage(
+                    columns * (width + GAP) - GAP, rows * (height + GAP) - GAP, BufferedImage.TYPE_INT_ARGB);
+            Graphics2D graphics = sheet.createGraphics();
+            for (int i = 0; i < pictures.size(); i++) {
+                graphics.drawImage(pictures.get(i), i % columns * (width + GAP), i / columns * (height + GAP), null);
+            }
+            graphics.dispose();
+            return sheet;
+        }
+    }
+}

@@ -1,2 +1,0 @@
-/** Commands that run over folders of scans. */
-package sunbeam.app.cli.collection;

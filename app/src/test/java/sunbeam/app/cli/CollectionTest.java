@@ -1,0 +1,246 @@
+package sunbeam.app.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.NamedCsvRecord;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.terminal.ExitCode;
+
+final class CollectionTest extends CommandLineFixture {
+    private static final double PERIOD = 2e-6;
+
+    private Path scans;
+    private Path report;
+
+    @BeforeEach
+    void prepare() throws IOException {
+        scans = Files.createDirectory(folder.resolve("scans"));
+        report = folder.resolve("report");
+        scan("grating.txt", x -> 50 * Math.sin(2 * Math.PI * x / PERIOD));
+    }
+
+    /** Writes a scan of 64 equal rows of 64 samples, 0.25 um apart, in a text format that states its scale. */
+    private void scan(String name, DoubleUnaryOperator heights) throws IOException {
+        String header = "# Channel: Height\n# Width: 16 µm\n# Height: 16 µm\n# Value units: nm\n";
+        scan("scans/" + name, header, 64, 64, (column, row) -> heights.applyAsDouble(column * 0.25e-6));
+    }
+
+    private int inspect(String words) {
+        forgetOutput();
+        return sunbeam("inspect --output @report " + words);
+    }
+
+    private List<NamedCsvRecord> table(String name) throws IOException {
+        try (CsvReader<NamedCsvRecord> reader =
+                CsvReader.builder().ofNamedCsvRecord(Files.readString(report.resolve(name)))) {
+            return reader.stream().toList();
+        }
+    }
+
+    private List<String> column(String name) throws IOException {
+        return table("table.csv").stream().map(row -> row.getField(name)).toList();
+    }
+
+    private FileTime time(String picture) throws IOException {
+        return Files.getLastModifiedTime(report.resolve("surfaces").resolve(picture));
+    }
+
+    @Test
+    void aFolderBecomesOneTableAndOneSheet() throws IOException {
+        scan("other.txt", x -> 40 * Math.sin(2 * Math.PI * x / (2 * PERIOD)));
+
+        assertSuccess(inspect("@scans"));
+
+        List<NamedCsvRecord> rows = table("table.csv");
+        assertThat(column("file"))
+                .containsExactly(
+                        scans.resolve("grating.txt").toString(),
+                        scans.resolve("other.txt").toString());
+        NamedCsvRecord row = rows.get(0);
+        assertThat(row.getField("verdict_code")).isEqualTo("sure_grating");
+        assertThat(Double.parseDouble(row.getField("period_low_m"))).isLessThan(PERIOD);
+        assertThat(Double.parseDouble(row.getField("period_high_m"))).isGreaterThan(PERIOD);
+        // First orders of 2 um lie at asin(0.4 / 2) = 11.5 to asin(0.7 / 2) = 20.5 degrees, wider by the interval.
+        assertThat(row.getField("first_orders_deg"))
+                .matches("1[01]\\.\\d+ to 2[01]\\.\\d+; -1[01]\\.\\d+ to -2[01]\\.\\d+");
+        assertThat(Double.parseDouble(row.getField("width_m"))).isCloseTo(16e-6, within(1e-20));
+        assertThat(row.getField("columns")).isEqualTo("64");
+        // A sine's deviation: its amplitude over sqrt(2).
+        assertThat(Double.parseDouble(row.getField("roughness_m"))).isCloseTo(50e-9 / Math.sqrt(2), within(1e-9));
+        assertThat(row.getField("warnings")).contains("constant along one axis", "; sampling too coarse: samples are");
+        BufferedImage sheet = ImageIO.read(report.resolve("sheet.png").toFile());
+        // Two thumbnails with black and white stripes lie side by side; the sheet is empty to the right of them.
+        assertThat(darkest(sheet, 16, 300)).isLessThan(80);
+        assertThat(darkest(sheet, 316, 600)).isLessThan(80);
+        assertThat(darkest(sheet, 620, 900)).isGreaterThan(250);
+        assertThat(out.toString()).startsWith("2 surfaces: ").contains("table.csv", "sheet.png");
+    }
+
+    private static int darkest(BufferedImage image, int from, int to) {
+        int[] colors = image.getRGB(from, 40, to - from, image.getHeight() - 40, null, 0, to - from);
+        return Arrays.stream(colors).map(color -> color & 0xff).min().orElseThrow();
+    }
+
+    @Test
+    void readMeFilesAndOtherJsonAreNoSurfaces() throws IOException {
+        Files.writeString(scans.resolve("README.md"), "# 1 2 3");
+        Files.writeString(scans.resolve("settings.json"), "{\"note\": \"shed skin\"}");
+
+        assertSuccess(inspect("@scans"));
+
+        assertThat(table("table.csv")).hasSize(1);
+        Files.delete(scans.resolve("grating.txt"));
+        assertComplaint(ExitCode.UNUSABLE_INPUT, "inspect @scans --output @report --force", "has no scan");
+    }
+
+    @Test
+    void aBadFileIsARowAndDoesNotStopTheRest() throws IOException {
+        Files.writeString(scans.resolve("a bad one.gwy"), "no scan");
+
+        assertThat(inspect("@scans")).isEqualTo(4);
+
+        assertThat(column("exit_code")).containsExactly("4", "0");
+        assertThat(column("message").get(0)).contains("a bad one.gwy is neither an image nor a scan");
+        assertThat(column("verdict_code").get(1)).isEqualTo("sure_grating");
+        assertThat(err.toString()).hasLineCount(1).contains("a bad one.gwy");
+    }
+
+    @Test
+    void namesWithBlanksAndLineBreaksAndEqualNamesHaveRowsAndPicturesOfTheirOwn() throws IOException {
+        Path other = Files.createDirectory(folder.resolve("b"));
+        Files.copy(scans.resolve("grating.txt"), other.resolve("grating.txt"));
+        Files.copy(scans.resolve("grating.txt"), other.resolve("two\nlines \"and\" blanks .txt "));
+
+        assertSuccess(inspect("@scans " + other));
+
+        assertThat(column("file"))
+                .containsExactly(
+                        scans.resolve("grating.txt").toString(),
+                        other.resolve("grating.txt").toString(),
+                        other.resolve("two\nlines \"and\" blanks .txt ").toString());
+        assertThat(report.resolve("surfaces").toFile().list())
+                .containsExactlyInAnyOrder("grating.png", "grating-2.png", "two\nlines \"and\" blanks .png");
+        // The sheet tells the equal files apart by their folders' names.
+        BufferedImage sheet = ImageIO.read(report.resolve("sheet.png").toFile());
+        assertThat(sheet.getRGB(16, 40, 284, sheet.getHeight() - 40, null, 0, 284))
+                .isNotEqualTo(sheet.getRGB(316, 40, 284, sheet.getHeight() - 40, null, 0, 284));
+    }
+
+    @Test
+    void partsTogetherAreTheWhole() throws IOException {
+        for (String name : List.of("b", "c", "d", "e")) {
+            Files.copy(scans.resolve("grating.txt"), scans.resolve(name + ".txt"));
+        }
+        List<NamedCsvRecord> parts = new ArrayList<>();
+        for (String part : List.of("1", "2", "3")) {
+            assertSuccess(inspect("@scans --task " + part + "/3"));
+            parts.addAll(table("table-" + part + "-of-3.csv"));
+        }
+        FileTime drawn = time("c.png");
+
+        assertSuccess(inspect("@scans --resume"));
+
+        assertThat(table("table.csv"))
+                .extracting(NamedCsvRecord::getFields)
+                .containsExactlyElementsOf(
+                        parts.stream().map(NamedCsvRecord::getFields).toList());
+        assertThat(time("c.png")).as("the joining run draws nothing again").isEqualTo(drawn);
+    }
+
+    @Test
+    void aStoppedRunGoesOnWhereItWas() throws IOException {
+        Files.copy(scans.resolve("grating.txt"), scans.resolve("later.txt"));
+        assertThat(inspect("@scans")).isZero();
+        // Cut the second line, as if the process had been killed.
+        Path reports = report.resolve("reports.jsonl");
+        String whole = Files.readString(reports);
+        Files.writeString(reports, whole.substring(0, whole.indexOf('\n') + 100));
+        Files.delete(report.resolve("table.csv"));
+        FileTime first = time("grating.png");
+        FileTime second = time("later.png");
+
+        assertSuccess(inspect("@scans --resume"));
+
+        assertThat(Files.readString(reports)).isEqualTo(whole);
+        assertThat(time("grating.png")).isEqualTo(first);
+        assertThat(time("later.png")).isGreaterThan(second);
+        // A changed file is inspected again.
+        scan("grating.txt", x -> 0.01);
+        assertThat(inspect("@scans --resume")).isEqualTo(3);
+        assertThat(table("table.csv").get(0).getField("verdict_code")).isEqualTo("mirror");
+    }
+
+    @Test
+    void anAngleOfARangeIsARow() throws IOException {
+        assertSuccess(inspect("sinusoid --theta-i 0:40:20 --json"));
+
+        assertThat(column("theta_i_deg")).containsExactly("0.0", "20.0", "40.0");
+        // A period of 2.5 um under light at 40 degrees has its first orders from asin(0.4 / 2.5 - sin 40) = -28.9
+        // degrees.
+        String[] angles = table("table.csv").get(2).getField("first_orders_deg").split(" to ", -1);
+        assertThat(Double.parseDouble(angles[0])).isCloseTo(-28.9, within(0.1));
+        JsonNode summary = new ObjectMapper().readTree(out.toString());
+        assertThat(summary.at("/verdict_codes/sure_grating").intValue()).isEqualTo(3);
+    }
+
+    @Test
+    void colorsOfAFolderHaveTheirPurestColorInTheTable() throws IOException {
+        assertSuccess(sunbeam("color @scans blaze --angles -40:40:4 --output @report"));
+
+        assertThat(column("purest_srgb")).allMatch(color -> color.matches("#[0-9a-f]{6}"));
+        assertThat(column("theta_i_deg")).containsOnly("0.0");
+        assertThat(report.resolve("surfaces").toFile().list())
+                .contains("grating.png", "grating.csv", "grating.json", "blaze.png");
+    }
+
+    @Test
+    void mapsOfAFolderKeepTheOptionsOfTheCommandLine() throws IOException {
+        assertSuccess(sunbeam("brdf-map @scans --periodic blaze --explain --size 40 --no-annotate --output @report"));
+
+        assertThat(column("verdict_code")).containsOnly("sure_grating");
+        assertThat(ImageIO.read(new File(report.toFile(), "surfaces/blaze.png")).getWidth())
+                .isEqualTo(40);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            inspect @empty --output @report               | UNUSABLE_INPUT | the folder & empty has no scan
+            inspect blaze --resume --output @report       | USAGE          | --resume is for several
+            inspect blaze --theta-i 0:80 --output @report | USAGE          | --theta-i & min:max:step
+            color @scans --with blaze --output @report    | USAGE          | --with is for one patch
+            color @scans --output a.png                   | USAGE          | --output & folder
+            inspect blaze no-such-file --output @report   | UNUSABLE_INPUT | no-such-file' is neither & needs quotes
+            evaluate @scans --output @report              | UNUSABLE_INPUT | scans & folder
+            """)
+    void mistakesAreOneLine(String command, ExitCode code, String words) throws IOException {
+        Files.createDirectory(folder.resolve("empty"));
+        assertComplaint(code, command, words.split(" & "));
+    }
+
+    @Test
+    void whatOthersOrOtherPartsWroteStays() throws IOException {
+        assertSuccess(inspect("@scans --task 2/2"));
+        assertComplaint(ExitCode.USAGE, "inspect @scans --task 1/2 --output @report", "--task");
+        Files.writeString(report.resolve("table.csv"), "mine");
+        assertComplaint(ExitCode.OUTPUT_EXISTS, "inspect @scans --output @report", "table.csv", "--force");
+        assertThat(report.resolve("table.csv")).hasContent("mine");
+    }
+}

@@ -1,0 +1,178 @@
+package sunbeam.app.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import java.util.zip.ZipFile;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.gpu.DirectionsRenderer.Query;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.precompute.analysis.EnergyDivisor;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
+
+/** {@code --energy conserve} on tracks of a DVD: 740 nm wide, 120 nm deep. */
+@NeedsDisplay
+class EnergyTest extends CommandLineFixture {
+    private static final double TRACK = 740e-9;
+    private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(65e-6);
+
+    private static final String DISC =
+            " @dvd.txt --width 740nm --height 92.5nm --height-unit nm --periodic --force --energy ";
+    private static final String LIST = "reflectance --average ensemble --directions @in.csv --output @c.csv" + DISC;
+
+    @BeforeEach
+    void writeTracks() throws IOException {
+        String row = "0 ".repeat(32) + "120 ".repeat(32);
+        Files.write(folder.resolve("dvd.txt"), Collections.nCopies(8, row));
+    }
+
+    private void list(String header, List<String> rows) throws IOException {
+        List<String> lines = new ArrayList<>(List.of(header));
+        lines.addAll(rows);
+        Files.write(folder.resolve("in.csv"), lines);
+    }
+
+    private double[] column(String name) throws IOException {
+        List<String> head =
+                List.of(Files.readAllLines(folder.resolve("c.csv")).get(0).split(","));
+        return Arrays.stream(rows("c.csv"))
+                .mapToDouble(row -> row[head.indexOf(name)])
+                .toArray();
+    }
+
+    @Test
+    void aDiscReflectsNoMoreThanItsShareOfRedLight() throws IOException {
+        // The grid covers the three orders at 720 nm; its step is a fraction of their width.
+        double width = 720e-9 * WINDOW.sigmaFrequency();
+        List<String> rows = new ArrayList<>();
+        for (int m = -1; m <= 1; m++) {
+            for (int i = -24; i <= 24; i++) {
+                for (int j = -12; j <= 12; j++) {
+                    double x = m * 720e-9 / TRACK + i * width / 6;
+                    double y = j * width / 4;
+                    double theta = Math.toDegrees(Math.asin(Math.min(0.9999, Math.hypot(x, y))));
+                    rows.add("0,0," + theta + "," + Math.toDegrees(Math.atan2(y, x)) + ",720");
+                }
+            }
+        }
+        list("theta_i,phi_i,theta_r,phi_r,wavelength", rows);
+        // brdf cos theta_r d omega is brdf dx dy.
+        double area = width / 6 * width / 4;
+        assertSuccess(sunbeam(LIST + "scalar"));
+        assertThat(Arrays.stream(column("brdf")).sum() * area).isGreaterThan(1.5 * 0.04);
+        assertSuccess(sunbeam(LIST + "conserve"));
+        assertThat(Arrays.stream(column("brdf")).sum() * area).isBetween(0.98 * 0.04, 1.01 * 0.04);
+    }
+
+    @Test
+    void colorsUnderOneLightAreDividedAtEachWavelength() throws IOException {
+        Stream<String> rows = IntStream.range(1, 60).mapToObj(i -> "10,0," + (i * 1.4) + "," + (i % 2 == 0 ? 180 : 0));
+        list("theta_i,phi_i,theta_r,phi_r", rows.toList());
+        assertSuccess(sunbeam(LIST + "scalar"));
+        double[] scalar = column("Y");
+        assertSuccess(sunbeam(LIST + "conserve --certify 30"));
+        double[] conserved = column("Y");
+        double least = 1;
+        for (int i = 0; i < scalar.length; i++) {
+            // Twice the plan's 95th percentile.
+            assertThat(conserved[i]).isLessThanOrEqualTo(1.006 * scalar[i]);
+            least = scalar[i] > 0 ? Math.min(least, conserved[i] / scalar[i]) : least;
+        }
+        assertThat(least).isLessThan(0.8);
+    }
+
+    private MethodProbe probe() {
+        return new MethodProbe(
+                folder, "--width 740nm --height 92.5nm --height-unit nm --periodic --patch " + folder + "/dvd.txt");
+    }
+
+    @Test
+    void aScenesShaderDividesByTheDirectionOfLight() {
+        MethodProbe probe = probe();
+        MethodPlan plan = probe.plan(VisibleRange.all(), "--average=ensemble");
+        EnergyDivisor divisor = new EnergyDivisor(probe.setup().patch().heights(), RefractiveIndex.KERATIN, WINDOW);
+        ShaderTables tables = divisor.applyTo(
+                probe.setup().tables(plan, MethodUse.COLOR), probe.setup().cie());
+        Direction viewer = Direction.ofDegrees(20, 40);
+        List<Query> queries = IntStream.range(0, 16)
+                .mapToObj(i -> Direction.ofDegrees(5 * i, 55.0 * i))
+                .map(light -> new Query(new DirectionPair(light, viewer), 0))
+                .toList();
+        List<float[]> results = MethodProbe.evaluate(queries, tables, false);
+        double most = 1;
+        for (int i = 0; i < queries.size(); i++) {
+            DirectionPair pair = queries.get(i).pair();
+            double expected = divisor.ofColors(pair.wi(), probe.setup().cie());
+            most = Math.max(most, expected);
+            // The divisor is interpolated between directions 5 degrees apart, and bends where orders pass the horizon.
+            assertThat(Gain.relativeRadiance(pair) / results.get(i)[3])
+                    .as("light %s", pair.wi())
+                    .isCloseTo(expected, within(0.06 * expected));
+        }
+        assertThat(most).isGreaterThan(1.2);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            reflectance --method reference               | is not for method reference
+            reflectance --preset thesis                  | is not for the thesis's preset
+            reflectance --coherence-length 4um           | needs a coherence length of 5um at least
+            brdf-map --size 16 --method gem --spacing 1um | is not for method gem
+            reflectance                                  | give
+            """)
+    void whereNoDivisorIsRightOneLineSaysSo(String command, String words) throws IOException {
+        list("theta_i,phi_i,theta_r,phi_r", List.of("0,0,10,0", "1,0,10,0"));
+        String files = command.startsWith("brdf") ? " --output @o.png" : " --output @o.csv --directions @in.csv";
+        assertThat(sunbeam(command + DISC + "conserve" + files)).as("%s", err).isEqualTo(2);
+        assertThat(err.toString()).contains("--energy conserve", words);
+        assertThat(folder.resolve("o.csv")).doesNotExist();
+    }
+
+    @Test
+    void anExportHasTheDivisorOrRefuses() throws IOException {
+        String export = "export --samples 0 --size 2MB --coherence-length 10um" + DISC + "conserve --format ";
+        assertComplaint(
+                ExitCode.USAGE, export + "html --output @p.html", "--energy conserve is for --format npz and bsdf");
+        assertThat(sunbeam(export + "npz --output @t.npz")).as("%s", err).isIn(0, 3);
+        MethodProbe probe = probe();
+        try (ZipFile archive = new ZipFile(folder.resolve("t.npz").toFile())) {
+            byte[] array =
+                    archive.getInputStream(archive.getEntry("divisor.npy")).readAllBytes();
+            FloatBuffer values = ByteBuffer.wrap(array, array.length - 4 * 3 * 625, 4 * 3 * 625)
+                    .order(ByteOrder.LITTLE_ENDIAN)
+                    .asFloatBuffer();
+            // The middle of the 25 x 25 directions is light along the normal; all channels of colors have one divisor.
+            double above = new EnergyDivisor(
+                            probe.setup().patch().heights(),
+                            RefractiveIndex.KERATIN,
+                            CoherenceWindow.ofCoherenceLength(10e-6))
+                    .ofColors(Direction.ofDegrees(0, 0), probe.setup().cie());
+            // The table's window may be shorter by a mip level, with wider orders.
+            assertThat((double) values.get(312)).isCloseTo(above, within(0.1));
+            assertThat(values.get(312 + 625)).isEqualTo(values.get(312));
+        }
+    }
+}

@@ -1,0 +1,159 @@
+package sunbeam.app.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.SplittableRandom;
+import java.util.function.DoubleUnaryOperator;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.terminal.ExitCode;
+
+final class InspectCommandTest extends CommandLineFixture {
+    private String picture() {
+        return folder.resolve("sheet.png").toString();
+    }
+
+    @Test
+    void aPatchIsTold() throws IOException {
+        assertSuccess(sunbeam("inspect disc --output @sheet.png"));
+        assertThat(out.toString())
+                .startsWith("A grating of 1.6")
+                .containsPattern(" across (0|180) degrees: first-order colors at 14 to 26 degrees")
+                .contains("51.2 um x 51.2 um, 1024 x 1024 samples", "relief 110 nm", "steeper than 30 degrees")
+                .containsPattern("period +1600.* nm, 95 % interval 1[56]")
+                .endsWith(picture() + System.lineSeparator());
+        assertThat(out.toString()).hasLineCount(6);
+        BufferedImage sheet = ImageIO.read(new File(picture()));
+        assertThat(sheet.getWidth()).isGreaterThan(1000);
+        assertThat(sheet.getHeight()).isGreaterThan(1000);
+    }
+
+    @Test
+    void lightThatTheModelAddsIsTold() {
+        // Order 4 of 2.5 um lies flat at 620 nm under light from above.
+        assertSuccess(sunbeam("inspect blaze --output @sheet.png"));
+        assertThat(out.toString())
+                .containsPattern(
+                        "energy    from above, at 620 nm the model reflects 1.1\\d times the light of a mirror");
+    }
+
+    /** Elaphe's ridges are uneven; each part holds ten or more. */
+    @ParameterizedTest
+    @ValueSource(strings = {"10um:40um,30um:60um", "5um:15um,5um:15um", "40um:60um,5um:25um"})
+    void partsOfASkinWithUnevenRidgesAreProbablyGratings(String part) {
+        Path skin = Path.of("..", "..", "shared", "patches", "elaphe.png").toAbsolutePath();
+        assumeTrue(Files.exists(skin), () -> "the measured patches are not there: " + skin);
+        assertSuccess(sunbeam(
+                "inspect " + skin + " --width 65um --max-height 375nm --crop " + part + " --output @sheet.png"));
+        assertThat(out.toString()).startsWith("Probably a grating of about 1.");
+    }
+
+    @Test
+    void whatContradictsItselfIsOneLine() {
+        assertComplaint(ExitCode.USAGE, "inspect sinusoid --json --output -", "--json", "--output -");
+        assertComplaint(ExitCode.USAGE, "inspect disc --patch blaze", "'disc'", "--patch", "one of them");
+        assertThat(out.toString()).isEmpty();
+    }
+
+    @Test
+    void noiseHasNoPeriodAndTheFigureSaysWhy() throws IOException {
+        SplittableRandom random = new SplittableRandom(7);
+        scan("noise.txt", "", 300, 200, (column, row) -> 100 * random.nextDouble());
+        assertSuccess(sunbeam("inspect @noise.txt --width 60um --height-unit nm --output @sheet.png"));
+        assertThat(out.toString()).startsWith("No order found: a white gloss without color");
+        // Samples are 200 nm apart: the loader's warning and the table say so.
+        assertThat(err.toString()).contains("sampling too coarse");
+        assertThat(out.toString()).contains("pitch     sampling too coarse");
+    }
+
+    @Test
+    void flatAndThinPatchesHaveSheetsToo() throws IOException {
+        int[][] sizes = {{300, 1}, {1, 300}, {40, 30}};
+        for (int[] size : sizes) {
+            scan("flat.txt", "", size[0], size[1], (column, row) -> 0);
+            String width = " --columns " + size[0] + " --width " + size[0] * 50 + "nm";
+            int code = sunbeam("inspect @flat.txt --height-unit nm --output @sheet.png --force" + width);
+            // A mirror is most likely a mistake, so the exit code is 3.
+            assertThat(code).as("%s x %s: %s", size[0], size[1], err).isEqualTo(3);
+            assertThat(out.toString()).startsWith("A mirror: ").contains("relief 0 m");
+        }
+    }
+
+    /** Writes a tilted wave as a scan of 10 x 5 um in text. */
+    private void scan(double amplitudeNm, boolean spiked) throws IOException {
+        scan("scan.txt", "", 128, 64, (column, row) -> {
+            double wave = amplitudeNm * Math.sin(2 * Math.PI * column * 0.078125 / 0.9) * (1 + row / 640.0);
+            boolean spike = spiked && ((row == 20 && column == 30) || (row == 50 && column == 99));
+            return wave * (1 + 0.01 * column) + (spike ? 40 * amplitudeNm : 0);
+        });
+    }
+
+    private void inspectScan(int code, String options) {
+        forgetOutput();
+        String width = options.contains("--width") ? "" : " --width 10um";
+        assertThat(sunbeam("inspect @scan.txt --height-unit nm --force --output @sheet.png" + width + options))
+                .as("%s", err)
+                .isEqualTo(code);
+    }
+
+    @Test
+    void aScanIsPreparedAsTheOptionsSay() throws IOException {
+        scan(30, true);
+        inspectScan(0, " --explain --despike");
+        assertThat(out.toString())
+                .contains(
+                        "levelling plane",
+                        "2 spike samples removed, the highest by 1.",
+                        "edges blended over 1.02 um x ")
+                .contains(
+                        "light     coherence length 4.219 um (the scan's height less its overlap; 65 um in sunlight)",
+                        "--periodic");
+        inspectScan(0, " --explain --crop 2um:8um,1um:5um --level none --edges repeat");
+        assertThat(out.toString())
+                .contains("cropped from 10 um x 5 um", "5.938 um x 3.984 um, 76 x 51 samples")
+                .doesNotContain("edges blended", "spike");
+        inspectScan(0, " --explain --periodic");
+        assertThat(out.toString()).doesNotContain("light     ").contains("levelling mean");
+        inspectScan(0, " --explain --no-periodic");
+        assertThat(out.toString()).contains("light     coherence length 4.219 um");
+    }
+
+    /** With a wrong unit the relief is too deep for any other command. */
+    @Test
+    void aScanThatCannotBeDrawnIsInspected() throws IOException {
+        DoubleUnaryOperator wave = periods -> Math.sin(2 * Math.PI * periods);
+        scan("scan.txt", "", 128, 64, (x, y) -> 500 * wave.applyAsDouble(x / 16) + 100 * wave.applyAsDouble(y / 13));
+        inspectScan(0, " --explain --width 2mm");
+        assertThat(err.toString()).doesNotContain("likely");
+        assertThat(out.toString())
+                .contains("size      2 mm x 1 mm", "plan      none;", "--coherence-length 65 um", "crop the patch")
+                .doesNotContain("cost ");
+        assertThat(ImageIO.read(new File(picture())).getWidth()).isGreaterThan(1000);
+        inspectScan(0, " --width 2mm --json");
+        JsonNode report = new ObjectMapper().readTree(out.toString());
+        assertThat(report.get("plan").isNull()).isTrue();
+        assertThat(report.get("plan_refused").textValue()).contains("--coherence-length");
+    }
+
+    /** A relief in picometers shows no color, like a mirror. */
+    @Test
+    void aReliefFarBelowAWavelengthIsDoubtful() throws IOException {
+        scan(0.1, false);
+        inspectScan(3, "");
+        assertThat(err.toString()).contains("far below a wavelength");
+        assertThat(out.toString()).startsWith("A mirror: ");
+        scan(2, false);
+        inspectScan(0, "");
+        assertThat(err.toString()).doesNotContain("mirror");
+    }
+}
