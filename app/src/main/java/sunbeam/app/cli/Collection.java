@@ -19,6 +19,7 @@ import java.util.stream.Stream;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.TypeConversionException;
+import sunbeam.app.cli.PatchOptions.Surfaces;
 import sunbeam.app.cli.PatchOptions.TaskPart;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
@@ -38,7 +39,7 @@ import sunbeam.precompute.units.Decimals;
  * --json} and its file as {@code --output}. Their reports become a {@link CollectionFolder}. A surface that cannot be used does not stop
  * the others.
  */
-public final class Collection {
+public record Collection(ParseResult parsed, Function<List<String>, Outcome> runner) {
     private static final String THETA_I = "--theta-i";
     private static final String OUTPUT = "--output";
 
@@ -57,10 +58,6 @@ public final class Collection {
     private static final int MOST = 100_000;
     private static final int NAMES_OF_FOLDER = 3;
 
-    private final ParseResult parsed;
-    private final Function<List<String>, Outcome> runner;
-    private final List<String> arguments;
-
     /** Result of a command line: exit code, standard output, and the last line of standard error, without the program's name. */
     public record Outcome(int code, String out, String message) {
         /** True if the command has written its files, whether or not it has kept its tolerance. */
@@ -72,32 +69,31 @@ public final class Collection {
     /** One run: surface, options in the form {@code --name=value}, and name of its files, which no other run has. */
     record Item(String patch, List<String> options, String stem) {}
 
-    private Collection(ParseResult parsed, Function<List<String>, Outcome> runner) {
-        this.parsed = parsed;
-        this.runner = runner;
-        this.arguments = parsed.matchedPositionals().stream()
-                .distinct()
-                .flatMap(argument -> argument.originalStringValues().stream())
-                .toList();
-    }
-
     /** Returns the collection that a command line means; empty if it means one surface under one light. */
     public static Optional<Collection> of(ParseResult command, Function<List<String>, Outcome> runner) {
         boolean possible = command.commandSpec().positionalParameters().stream()
                 .anyMatch(argument -> argument.arity().max() > 1);
         Collection collection = new Collection(command, runner);
-        boolean several = collection.arguments.size() > 1
-                || collection.arguments.stream().anyMatch(Surfaces::isFolder)
+        List<String> arguments = collection.arguments();
+        boolean several = arguments.size() > 1
+                || arguments.stream().anyMatch(Surfaces::isFolder)
                 || command.hasMatchedOption(PatchOptions.TASK)
                 || collection.value(THETA_I).orElse("").contains(":");
         return Optional.of(collection).filter(one -> possible && several);
     }
 
+    private List<String> arguments() {
+        return parsed.matchedPositionals().stream()
+                .distinct()
+                .flatMap(argument -> argument.originalStringValues().stream())
+                .toList();
+    }
+
     /** Returns the surfaces and folders that the command line names; the command's default if there are none. */
     private List<String> names() {
-        return arguments.isEmpty()
+        return arguments().isEmpty()
                 ? List.of(value("--patch").orElse(Choices.none().get(PatchSettings.PATCH)))
-                : arguments;
+                : arguments();
     }
 
     private Optional<String> value(String option) {

@@ -40,7 +40,7 @@ import sunbeam.precompute.units.Decimals;
  * Output of a collection: {@code table.csv}, {@code sheet.png} with its further pages, {@code reports.jsonl} with a line for each surface,
  * and the files of each surface in {@code surfaces}. The files of a part have its number in their names.
  */
-final class CollectionFolder {
+record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlier) {
     private static final List<String> COLUMNS = List.of(
             ("/theta_i_deg /verdict_code /verdict /period_m /period_low_m /period_high_m /about_m /direction_deg"
                             + " /first_orders_deg /purest/srgb /purest/theta_r_deg /purest/dominant_m /purest/purity"
@@ -49,20 +49,12 @@ final class CollectionFolder {
     private static final List<String> INSPECTED =
             List.of("/width_m /height_m /columns /rows /relief_m /roughness_m /rms_slope".split(" ", -1));
     private static final String REPORTS = "reports";
-    private final ObjectMapper json = new ObjectMapper();
-    private final Path folder;
-    private final String part;
-    private final Map<String, ObjectNode> earlier = new HashMap<>();
-
-    private CollectionFolder(Path folder, String part) {
-        this.folder = folder;
-        this.part = part;
-    }
+    private static final ObjectMapper JSON = new ObjectMapper();
 
     /** Creates the folder if it is missing, and checks that its table can be written; reads the reports of earlier runs to resume. */
     static CollectionFolder open(Path folder, TaskPart task, Overwrite overwrite, boolean resumes) {
         String part = task.parts() == 1 ? "" : "-" + task.number() + "-of-" + task.parts();
-        CollectionFolder opened = new CollectionFolder(folder, part);
+        CollectionFolder opened = new CollectionFolder(folder, part, new HashMap<>());
         OutputFolder.create(folder);
         OutputFolder.create(folder.resolve("surfaces"));
         AtomicFile.checkWritable(opened.file("table", ".csv"), overwrite);
@@ -97,7 +89,7 @@ final class CollectionFolder {
     /** Parses a row; empty if it has no report, or for the unfinished line of a stopped run. */
     private Optional<ObjectNode> parsed(String line) {
         try {
-            return json.readTree(line) instanceof ObjectNode row && row.has("report")
+            return JSON.readTree(line) instanceof ObjectNode row && row.has("report")
                     ? Optional.of(row)
                     : Optional.empty();
         } catch (JsonProcessingException unfinished) {
@@ -116,7 +108,7 @@ final class CollectionFolder {
 
     /** Returns the row of a run: of the JSON that the command printed, or, if it failed, of the message why. */
     ObjectNode row(Item item, String hash, Outcome outcome) {
-        ObjectNode row = json.createObjectNode()
+        ObjectNode row = JSON.createObjectNode()
                 .put("file", item.patch())
                 .put("exit_code", outcome.code())
                 .put("message", outcome.isWritten() ? "" : outcome.message())
@@ -124,7 +116,7 @@ final class CollectionFolder {
                 .put("parameters", hash);
         if (outcome.isWritten()) {
             try {
-                JsonNode tree = json.readTree(outcome.out());
+                JsonNode tree = JSON.readTree(outcome.out());
                 JsonNode surface = tree.at("/surfaces/0");
                 row.set("report", surface.isMissingNode() ? tree : surface);
             } catch (JsonProcessingException impossible) {

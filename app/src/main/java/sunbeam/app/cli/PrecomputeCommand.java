@@ -5,11 +5,11 @@ import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.stat.StatUtils;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -174,12 +174,10 @@ public final class PrecomputeCommand extends FileCommand {
             int last = extremes[0].length - 1;
             for (int n = plotted ? 0 : last; n <= last; n++) {
                 ComplexVector bins = transformed(n);
-                double[] red = range(bins.real());
-                double[] green = range(bins.imaginary());
-                extremes[0][n] = red[0];
-                extremes[1][n] = red[1];
-                extremes[2][n] = green[0];
-                extremes[3][n] = green[1];
+                extremes[0][n] = StatUtils.min(bins.real());
+                extremes[1][n] = StatUtils.max(bins.real());
+                extremes[2][n] = StatUtils.min(bins.imaginary());
+                extremes[3][n] = StatUtils.max(bins.imaginary());
                 int place = powers.indexOf(n) * (SIDE + GAP);
                 if (place >= 0) {
                     graphics.drawImage(image(bins, largest(n)), place, 0, SIDE, SIDE, null);
@@ -232,11 +230,6 @@ public final class PrecomputeCommand extends FileCommand {
 
         private static double strength(ComplexVector bins, int i) {
             return Math.hypot(bins.real()[i], bins.imaginary()[i]);
-        }
-
-        private static double[] range(double[] values) {
-            DoubleSummaryStatistics range = Arrays.stream(values).summaryStatistics();
-            return new double[] {range.getMin(), range.getMax()};
         }
 
         private static int channel(double value) {

@@ -16,9 +16,9 @@ import java.util.Map;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.cli.program.Sunbeam;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.app.cli.program.Sunbeam;
 
 /** Test that runs command lines in this process, with a new folder as home and no environment variables. */
 public abstract class CommandLineFixture {
