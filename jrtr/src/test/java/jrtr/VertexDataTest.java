@@ -1,7 +1,6 @@
 package jrtr;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import jrtr.VertexData.BoundingSphere;
@@ -13,22 +12,6 @@ class VertexDataTest {
         int vertices = positions.length / 3;
         return new VertexData(
                 positions, new float[3 * vertices], new float[4 * vertices], new float[2 * vertices], indices);
-    }
-
-    @Test
-    void arraysThatDoNotFitTogetherAreRefused() {
-        float[] three = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-
-        assertThat(triangle(three, 0, 1, 2).triangles()).isEqualTo(1);
-        assertThatThrownBy(() -> triangle(three, 0, 1, 3))
-                .hasMessageContaining("index 3 is out of range for 3 vertices");
-        assertThatThrownBy(() -> triangle(three, 0, -1, 2)).hasMessageContaining("index -1");
-        assertThatThrownBy(() -> triangle(three, 0, 1)).hasMessageContaining("indices");
-        assertThatThrownBy(() -> triangle(three)).hasMessageContaining("without a triangle");
-        assertThatThrownBy(() -> new VertexData(three, new float[9], new float[9], new float[6], new int[] {0, 1, 2}))
-                .hasMessageContaining("tangents have 9 numbers, not 12");
-        assertThatThrownBy(() -> triangle(new float[] {0, 0, 0, Float.NaN, 0, 0, 0, 1, 0}, 0, 1, 2))
-                .hasMessageContaining("NaN");
     }
 
     @Test

@@ -69,13 +69,11 @@ public final class FloatTarget extends Resource {
         int[] drawBuffers = new int[spec.colors()];
         for (int color = 0; color < spec.colors(); color++) {
             drawBuffers[color] = GL3.GL_COLOR_ATTACHMENT0 + color;
-            String name = Integer.toString(color);
             // Screen images use BGRA here and in readColors, so that drivers copy without conversion.
             if (spec.format() == Format.RGBA8) {
-                attach(gl, drawBuffers[color], name, GL3.GL_RGBA8, GL3.GL_BGRA, SCREEN_COLORS, Integer.BYTES);
+                attach(gl, drawBuffers[color], color, GL3.GL_RGBA8, GL3.GL_BGRA, SCREEN_COLORS, Integer.BYTES);
             } else {
-                int bytes = CHANNELS * Float.BYTES;
-                attach(gl, drawBuffers[color], name, GL3.GL_RGBA32F, GL3.GL_RGBA, GL3.GL_FLOAT, bytes);
+                attach(gl, drawBuffers[color], color, GL3.GL_RGBA32F, GL3.GL_RGBA, GL3.GL_FLOAT, 4 * Float.BYTES);
             }
         }
         if (spec.depth()) {
@@ -93,7 +91,7 @@ public final class FloatTarget extends Resource {
         return this;
     }
 
-    private void attach(GL3 gl, int attachment, String name, int internal, int format, int type, int pixelBytes) {
+    private void attach(GL3 gl, int attachment, Object name, int internal, int format, int type, int pixelBytes) {
         Texture image = new Texture(device(), label() + "[" + name + "]", GL3.GL_TEXTURE_2D);
         images.add(image);
         image.begin(gl, GL3.GL_CLAMP_TO_EDGE, GL3.GL_NEAREST, GL3.GL_NEAREST);

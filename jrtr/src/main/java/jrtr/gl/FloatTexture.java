@@ -14,19 +14,17 @@ import java.util.BitSet;
 public final class FloatTexture extends Texture {
     /** Formats of texels. A shader reads channels that a format lacks as 0, alpha as 1. */
     public enum Format {
-        R32F(1, Float.BYTES, GL3.GL_R32F, GL3.GL_RED),
-        RG32F(2, Float.BYTES, GL3.GL_RG32F, GL3.GL_RG),
-        RGBA32F(4, Float.BYTES, GL3.GL_RGBA32F, GL3.GL_RGBA),
-        RGBA16F(4, Short.BYTES, GL3.GL_RGBA16F, GL3.GL_RGBA);
+        R32F(4, GL3.GL_R32F, GL3.GL_RED),
+        RG32F(8, GL3.GL_RG32F, GL3.GL_RG),
+        RGBA32F(16, GL3.GL_RGBA32F, GL3.GL_RGBA),
+        RGBA16F(8, GL3.GL_RGBA16F, GL3.GL_RGBA);
 
-        private final int channels;
-        private final int bytesPerChannel;
+        private final int bytesPerTexel;
         private final int internal;
         private final int pixels;
 
-        Format(int channels, int bytesPerChannel, int internal, int pixels) {
-            this.channels = channels;
-            this.bytesPerChannel = bytesPerChannel;
+        Format(int bytesPerTexel, int internal, int pixels) {
+            this.bytesPerTexel = bytesPerTexel;
             this.internal = internal;
             this.pixels = pixels;
         }
@@ -54,10 +52,6 @@ public final class FloatTexture extends Texture {
         public Spec with(Filter newFilter) {
             return new Spec(width, height, layers, array, format, newFilter);
         }
-
-        private long floatsPerLayer() {
-            return (long) width * height * format.channels;
-        }
     }
 
     private final Spec spec;
@@ -75,7 +69,7 @@ public final class FloatTexture extends Texture {
         int filter = spec.filter() == Filter.NEAREST ? GL3.GL_NEAREST : GL3.GL_LINEAR;
         begin(gl, GL3.GL_CLAMP_TO_EDGE, filter, filter);
         Format format = spec.format();
-        double bytes = (double) format.bytesPerChannel * spec.floatsPerLayer() * spec.layers();
+        double bytes = (double) format.bytesPerTexel * spec.width() * spec.height() * spec.layers();
         allocate(gl, format.internal, spec.width(), spec.height(), spec.layers(), format.pixels, GL3.GL_FLOAT, bytes);
         return this;
     }
@@ -90,24 +84,17 @@ public final class FloatTexture extends Texture {
      * @param layer from 0
      * @param texels width x height x channels floats, from the buffer's position, which does not change, to its limit. Direct buffers are
      *     not copied.
-     * @throws IllegalArgumentException if the number of floats differs or there is no such layer
      */
     public void uploadLayer(int layer, FloatBuffer texels) {
-        upload(layer, texels.slice(), texels.remaining(), GL3.GL_FLOAT);
+        upload(layer, texels.slice(), GL3.GL_FLOAT);
     }
 
     /** Uploads a layer from numbers in the format's precision, IEEE 754 binary16 or binary32 in native byte order. */
     public void uploadLayer(int layer, ByteBuffer texels) {
-        int bytes = spec.format().bytesPerChannel;
-        upload(layer, texels.slice(), texels.remaining() / bytes, bytes == 2 ? GL3.GL_HALF_FLOAT : GL3.GL_FLOAT);
+        upload(layer, texels.slice(), spec.format() == Format.RGBA16F ? GL3.GL_HALF_FLOAT : GL3.GL_FLOAT);
     }
 
-    private void upload(int layer, Buffer texels, int floats, int type) {
-        if (layer < 0 || layer >= spec.layers() || floats != spec.floatsPerLayer()) {
-            throw new IllegalArgumentException(floats + " floats for layer " + layer + " of texture '"
-                    + label() + "', which has " + spec.layers() + " layers of " + spec.width() + " x " + spec.height()
-                    + " texels in " + spec.format());
-        }
+    private void upload(int layer, Buffer texels, int type) {
         GL3 gl = gl();
         bind(gl);
         int format = spec.format().pixels;

@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import jrtr.GraphicsException;
+import jrtr.glsl.FlatUniforms;
 
 /**
  * Active uniforms of a linked program, and all names that its shaders declare. Each sampler has a fixed texture unit, so that a draw only
@@ -44,9 +45,7 @@ final class GlUniforms {
         }
 
         int components() {
-            char last = typeName().charAt(typeName().length() - 1);
-            int size = Character.isDigit(last) ? last - '0' : 1;
-            return typeName().startsWith("mat") ? size * size : size;
+            return FlatUniforms.components(typeName());
         }
 
         /** Returns the type as in GLSL, with brackets for an array, and the name. */
@@ -122,26 +121,23 @@ final class GlUniforms {
         return uniform;
     }
 
-    /** Sets a uniform of floats of the current program. */
     void set(GL3 gl, String name, float[] values) {
         Uniform uniform = find(name);
         if (uniform == null) {
             return;
         }
-        int location = uniform.location;
         int count = elements(uniform, values.length);
         switch (uniform.type) {
-            case GL3.GL_FLOAT -> gl.glUniform1fv(location, count, values, 0);
-            case GL3.GL_FLOAT_VEC2 -> gl.glUniform2fv(location, count, values, 0);
-            case GL3.GL_FLOAT_VEC3 -> gl.glUniform3fv(location, count, values, 0);
-            case GL3.GL_FLOAT_VEC4 -> gl.glUniform4fv(location, count, values, 0);
-            case GL3.GL_FLOAT_MAT3 -> gl.glUniformMatrix3fv(location, count, false, values, 0);
-            case GL3.GL_FLOAT_MAT4 -> gl.glUniformMatrix4fv(location, count, false, values, 0);
+            case GL3.GL_FLOAT -> gl.glUniform1fv(uniform.location, count, values, 0);
+            case GL3.GL_FLOAT_VEC2 -> gl.glUniform2fv(uniform.location, count, values, 0);
+            case GL3.GL_FLOAT_VEC3 -> gl.glUniform3fv(uniform.location, count, values, 0);
+            case GL3.GL_FLOAT_VEC4 -> gl.glUniform4fv(uniform.location, count, values, 0);
+            case GL3.GL_FLOAT_MAT3 -> gl.glUniformMatrix3fv(uniform.location, count, false, values, 0);
+            case GL3.GL_FLOAT_MAT4 -> gl.glUniformMatrix4fv(uniform.location, count, false, values, 0);
             default -> throw wrongType(uniform, "floats");
         }
     }
 
-    /** Sets a uniform of integers of the current program. */
     void set(GL3 gl, String name, int[] values) {
         Uniform uniform = find(name);
         if (uniform == null) {
@@ -185,12 +181,11 @@ final class GlUniforms {
                 bind(gl, uniform, texture);
             }
         });
-        units.keySet().stream()
-                .filter(sampler -> !textures.containsKey(sampler))
-                .findFirst()
-                .ifPresent(sampler -> {
-                    throw new GraphicsException(program + ": no texture is bound to sampler '" + sampler + "'");
-                });
+        for (String sampler : units.keySet()) {
+            if (!textures.containsKey(sampler)) {
+                throw new GraphicsException(program + ": no texture is bound to sampler '" + sampler + "'");
+            }
+        }
     }
 
     private void bind(GL3 gl, Uniform uniform, Texture texture) {

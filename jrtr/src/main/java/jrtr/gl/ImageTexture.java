@@ -21,27 +21,14 @@ public final class ImageTexture extends Texture {
     }
 
     private ImageTexture upload(GL3 gl, MipLevel image) {
-        if (image.width < 1 || image.height < 1 || image.rgba.length != 4L * image.width * image.height) {
-            throw new IllegalArgumentException("image '" + label() + "' of " + image.width + " x " + image.height
-                    + " texels has " + image.rgba.length + " bytes");
-        }
         requireSides(image.width, image.height, 1);
-        MipLevel finest = image.flipped();
         begin(gl, GL3.GL_REPEAT, GL3.GL_LINEAR_MIPMAP_LINEAR, GL3.GL_LINEAR);
-        int internal = finest.encoding == Encoding.SRGB ? GL3.GL_SRGB8_ALPHA8 : GL3.GL_RGBA8;
-        MipLevel level = finest;
+        int format = image.encoding == Encoding.SRGB ? GL3.GL_SRGB8_ALPHA8 : GL3.GL_RGBA8;
+        MipLevel level = image.flipped();
         for (int number = 0; level != null; number++) {
             ByteBuffer texels = ByteBuffer.wrap(level.rgba);
-            gl.glTexImage2D(
-                    glTarget,
-                    number,
-                    internal,
-                    level.width,
-                    level.height,
-                    0,
-                    GL3.GL_RGBA,
-                    GL3.GL_UNSIGNED_BYTE,
-                    texels);
+            int type = GL3.GL_UNSIGNED_BYTE;
+            gl.glTexImage2D(glTarget, number, format, level.width, level.height, 0, GL3.GL_RGBA, type, texels);
             level = level.width == 1 && level.height == 1 ? null : level.next();
         }
         device().check(gl, "uploading '" + label() + "'");

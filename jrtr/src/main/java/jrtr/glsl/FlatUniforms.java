@@ -29,12 +29,13 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
                     ? Optional.of(new Uniform(found.group(1), found.group(2), found.group(3)))
                     : Optional.empty();
         }
+    }
 
-        int components() {
-            char last = type.charAt(type.length() - 1);
-            int size = Character.isDigit(last) ? last - '0' : 1;
-            return type.startsWith("mat") ? size * size : size;
-        }
+    /** Returns the number of scalars of a type: a scalar, a vector or a square matrix. */
+    public static int components(String type) {
+        char last = type.charAt(type.length() - 1);
+        int size = Character.isDigit(last) ? last - '0' : 1;
+        return type.startsWith("mat") ? size * size : size;
     }
 
     /**
@@ -55,7 +56,7 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
             Optional<Uniform> uniform = Uniform.in(line);
             // A uniform declared in both branches of an #if counts once.
             if (uniform.isPresent() && !moved.containsKey(uniform.get().name())) {
-                components += uniform.get().components();
+                components += components(uniform.get().type());
                 if (components <= mostComponents) {
                     moved.put(uniform.get().name(), uniform.get());
                 }
@@ -80,9 +81,6 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
 
     private static ShaderSource withOutputs(ShaderSource vertex, Map<String, Uniform> moved) {
         int main = ("\n" + vertex.text()).indexOf("\n" + MAIN);
-        if (main < 0) {
-            throw new IllegalArgumentException("shader " + vertex.name() + " has no line that begins with " + MAIN);
-        }
         int body = vertex.text().indexOf('\n', main);
         StringBuilder outputs = new StringBuilder();
         StringBuilder assignments = new StringBuilder();

@@ -19,7 +19,7 @@ public record Light(Vector3fc towards, Vector3fc radiance) {
         towards = towards.div(towards.length(), new Vector3f());
     }
 
-    /** Sets the uniforms of jrtr/lights.glsl, at most {@link #MOST} lights, as far as the program uses them. */
+    /** Sets the uniforms of jrtr/lights.glsl, which the program includes, for at most {@link #MOST} lights. */
     public static void apply(List<Light> lights, ShaderProgram program) {
         float[] directions = new float[3 * MOST];
         float[] radiances = new float[3 * MOST];
@@ -29,14 +29,8 @@ public record Light(Vector3fc towards, Vector3fc radiance) {
                 radiances[3 * i + c] = lights.get(i).radiance.get(c);
             }
         }
-        if (program.isActive("lightCount")) {
-            program.set("lightCount", lights.size());
-        }
-        if (program.isActive("lightDirections")) {
-            program.set("lightDirections", directions);
-        }
-        if (program.isActive("lightRadiances")) {
-            program.set("lightRadiances", radiances);
-        }
+        program.set("lightCount", lights.size());
+        program.set("lightDirections", directions);
+        program.set("lightRadiances", radiances);
     }
 }

@@ -29,7 +29,7 @@ public record PlacedMesh(
 
     /**
      * Clears the tile to zeros and draws the mesh there; no pixel outside is touched. Tiles that cover the target give the same picture as
-     * one draw, bit for bit. Sets the uniforms of mesh.vert.glsl; the caller sets all others.
+     * one draw, bit for bit. Sets the uniforms of mesh.vert.glsl and surface.glsl's eye; the caller sets all others.
      *
      * @param area part of the picture that the target, which has depth, shows; it has the target's size in pixels
      */
@@ -40,9 +40,7 @@ public record PlacedMesh(
         program.set("normalToWorld", modelToWorld.normal(new Matrix3f()));
         program.set("mirror", modelToWorld.determinant3x3() < 0 ? -1f : 1f);
         program.set("worldToClip", view.worldToClip(area));
-        if (program.isActive("eyePosition")) {
-            program.set("eyePosition", view.camera().centerOfProjection());
-        }
+        program.set("eyePosition", view.camera().centerOfProjection());
         context.draw(program, textures, mesh, faces, target, tile);
     }
 }

@@ -37,21 +37,14 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
         Matrix4f toCamera = camera.worldToCamera();
         // The point (x, y, -1) in camera space has clip x = m00 x - m20 and w = 1. Its direction towards the viewer is
         // (-x, -y, 1).
-        program.set(
-                "viewAtCorner",
-                row(toCamera, 2)
-                        .add(row(toCamera, 0).mul((1 - toClip.m20()) / toClip.m00()))
-                        .add(row(toCamera, 1).mul((1 - toClip.m21()) / toClip.m11())));
-        program.set(
-                "viewPerColumn",
-                row(toCamera, 0).mul(-2 / (toClip.m00() * area.part().width())));
-        program.set(
-                "viewPerRow",
-                row(toCamera, 1).mul(-2 / (toClip.m11() * area.part().height())));
-    }
-
-    private static Vector3f row(Matrix4f worldToCamera, int row) {
-        return new Vector3f(worldToCamera.get(0, row), worldToCamera.get(1, row), worldToCamera.get(2, row));
+        Vector3f right = toCamera.getRow(0, new Vector3f());
+        Vector3f up = toCamera.getRow(1, new Vector3f());
+        Vector3f corner = toCamera.getRow(2, new Vector3f())
+                .add(right.mul((1 - toClip.m20()) / toClip.m00(), new Vector3f()))
+                .add(up.mul((1 - toClip.m21()) / toClip.m11(), new Vector3f()));
+        program.set("viewAtCorner", corner);
+        program.set("viewPerColumn", right.mul(-2 / (toClip.m00() * area.part().width())));
+        program.set("viewPerRow", up.mul(-2 / (toClip.m11() * area.part().height())));
     }
 
     /**
@@ -75,7 +68,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
     }
 
     /**
-     * Position and orientation of a camera in world space, in meters; vectors are copied.
+     * Position and orientation of a camera in world space, in meters. The vectors must not be changed.
      *
      * @param centerOfProjection the eye
      * @param lookAtPoint point shown at the picture's center
@@ -84,9 +77,6 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
     public record Camera(Vector3fc centerOfProjection, Vector3fc lookAtPoint, Vector3fc up) {
 
         public Camera {
-            centerOfProjection = new Vector3f(centerOfProjection);
-            lookAtPoint = new Vector3f(lookAtPoint);
-            up = new Vector3f(up);
             Vector3f sight = lookAtPoint.sub(centerOfProjection, new Vector3f());
             float across = sight.cross(up, new Vector3f()).length();
             // In float32, at an angle of 1e-5, only two digits of the picture's x axis are correct.
