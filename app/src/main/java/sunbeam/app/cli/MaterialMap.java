@@ -179,7 +179,7 @@ final class MaterialMap {
                     BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, choices.get(ROTATE_PATCH));
                     Progress progress = setup.progress().start(label, (long) size * size)) {
                 add(renderer.render(part.point.towards, progress::step), part, sum);
-                sigma = tables.windowSigma();
+                sigma = tables.tables().windowSigma();
             }
         }
         boolean isPoint = parts.get(0).point.choices.equals(choices);

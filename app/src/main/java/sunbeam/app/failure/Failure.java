@@ -32,16 +32,13 @@ public record Failure(ExitCode code, String message, Throwable cause) {
 
     public static Failure of(Throwable thrown) {
         Throwable cause = unwrapped(thrown);
-        ExitCode code = cause instanceof SettingException choice ? codeOf(choice) : codeOf(cause.getClass());
+        boolean isOfFile = cause instanceof SettingException choice && choice.place() == Origin.Place.FILE;
+        ExitCode code = isOfFile ? ExitCode.UNUSABLE_INPUT : codeOf(cause.getClass());
         return new Failure(code, message(cause, code), cause);
     }
 
     public boolean isBug() {
         return code == ExitCode.INTERNAL_ERROR && !(cause instanceof OutOfMemoryError);
-    }
-
-    private static ExitCode codeOf(SettingException choice) {
-        return choice.place() == Origin.Place.FILE ? ExitCode.UNUSABLE_INPUT : ExitCode.USAGE;
     }
 
     /** Returns the code of the class or of its nearest known superclass; an unknown exception is a bug. */

@@ -11,7 +11,6 @@ import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
 /**
@@ -27,7 +26,7 @@ public record DirectionsRenderer(RenderContext context, UploadedTables method, b
     private static final int ROWS = 4;
 
     public DirectionsRenderer {
-        program.set("windowSigma", (float) method.windowSigma());
+        program.set("windowSigma", (float) method.tables().windowSigma());
     }
 
     public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
@@ -73,34 +72,25 @@ public record DirectionsRenderer(RenderContext context, UploadedTables method, b
         float[] texels = new float[4 * ROWS * BATCH];
         for (int i = 0; i < batch.size(); i++) {
             DirectionPair pair = batch.get(i).pair();
-            put(texels, i, 0, pair.wi(), 0);
-            put(texels, i, 1, pair.wr(), 0);
-            Direction uvw = new Direction(pair.u(), pair.v(), pair.w());
             double wavelength = batch.get(i).wavelength();
-            put(texels, i, 2, uvw, wavelength);
+            put(texels, i, 0, pair.wi().x(), pair.wi().y(), pair.wi().z());
+            put(texels, i, 1, pair.wr().x(), pair.wr().y(), pair.wr().z());
+            put(texels, i, 2, pair.u(), pair.v(), pair.w(), wavelength);
             if (spectral && method.binsPerFrequency().isPresent()) {
                 double[] bins = method.binsPerFrequency().get();
-                putBin(texels, i, uvw.x() / wavelength * bins[0], 0);
-                putBin(texels, i, uvw.y() / wavelength * bins[1], 1);
+                double x = pair.u() / wavelength * bins[0];
+                double y = pair.v() / wavelength * bins[1];
+                // The nearest DFT bin and the distance from it, in bins.
+                put(texels, i, 3, Math.rint(x), Math.rint(y), x - Math.rint(x), y - Math.rint(y));
             }
         }
         return texels;
     }
 
-    /** Stores the nearest DFT bin and the distance from it, in bins. */
-    private static void putBin(float[] texels, int column, double position, int axis) {
-        double nearest = Math.rint(position);
-        int at = 4 * (3 * BATCH + column) + axis;
-        texels[at] = (float) nearest;
-        texels[at + 2] = (float) (position - nearest);
-    }
-
-    private static void put(float[] texels, int column, int row, Direction direction, double fourth) {
-        int at = 4 * (row * BATCH + column);
-        texels[at] = (float) direction.x();
-        texels[at + 1] = (float) direction.y();
-        texels[at + 2] = (float) direction.z();
-        texels[at + 3] = (float) fourth;
+    private static void put(float[] texels, int column, int row, double... values) {
+        for (int i = 0; i < values.length; i++) {
+            texels[4 * (row * BATCH + column) + i] = (float) values[i];
+        }
     }
 
     @Override

@@ -44,19 +44,16 @@ public record UploadedTables(RenderContext context, ShaderTables tables, Map<Str
     }
 
     private static FloatTexture.Spec spec(ArrayLayout layout) {
-        FloatTexture.Format format = format(layout.channels());
-        FloatTexture.Spec spec = layout.layered()
-                ? FloatTexture.Spec.array(layout.width(), layout.height(), layout.layers(), format)
-                : FloatTexture.Spec.flat(layout.width(), layout.height(), format);
-        return layout.filtered() ? spec.with(FloatTexture.Filter.LINEAR) : spec;
+        var filter = layout.filtered() ? FloatTexture.Filter.LINEAR : FloatTexture.Filter.NEAREST;
+        return new FloatTexture.Spec(
+                layout.width(), layout.height(), layout.layers(), layout.layered(), format(layout.channels()), filter);
     }
 
     private static FloatTexture.Format format(int channels) {
         return switch (channels) {
             case 1 -> FloatTexture.Format.R32F;
             case 2 -> FloatTexture.Format.RG32F;
-            case 4 -> FloatTexture.Format.RGBA32F;
-            default -> throw new IllegalArgumentException("no texture has " + channels + " channels");
+            default -> FloatTexture.Format.RGBA32F;
         };
     }
 
@@ -87,11 +84,6 @@ public record UploadedTables(RenderContext context, ShaderTables tables, Map<Str
         return rounded == null || rest == null
                 ? Optional.empty()
                 : Optional.of(new double[] {(double) rounded[0] + rest[0], (double) rounded[1] + rest[1]});
-    }
-
-    /** Standard deviation of the coherence window in meters. */
-    public double windowSigma() {
-        return tables.windowSigma();
     }
 
     @Override

@@ -62,7 +62,7 @@ final class SkinSurface implements AutoCloseable {
                 () -> data.flatMap(SceneData::bakers).map(bakers -> new VirtualTexture(context, bakers)),
                 method::close);
         this.component = data.flatMap(SceneData::reflectanceComponent);
-        double sigma = method.windowSigma();
+        double sigma = method.tables().windowSigma();
         this.diffractionScale = data.map(found -> found.scene().method().method())
                 .map(found -> found.isNormalizedToMirror() ? new CoherenceWindow(sigma).mirrorRadiance() : 1)
                 .orElse(0.0);

@@ -16,10 +16,6 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
 
     private static final String VERSION = "version.properties";
 
-    public Environment {
-        variables = Map.copyOf(variables);
-    }
-
     public Environment(Map<String, String> variables, Path home) {
         this(variables, home, ProgressDisplay.ofStandardError(variables));
     }

@@ -13,7 +13,7 @@ public final class ShutdownHook implements AutoCloseable {
         try {
             Runtime.getRuntime().addShutdownHook(thread);
         } catch (IllegalStateException shuttingDown) {
-            throw new CancelledException(shuttingDown);
+            throw new CancelledException();
         }
     }
 
@@ -40,11 +40,7 @@ public final class ShutdownHook implements AutoCloseable {
     /** Thrown when the user ends the process; work stops without a message. */
     public static final class CancelledException extends RuntimeException {
         public CancelledException() {
-            this(null);
-        }
-
-        private CancelledException(IllegalStateException cause) {
-            super("interrupted", cause);
+            super("interrupted");
         }
     }
 }

@@ -2,6 +2,7 @@ package sunbeam.app.files.output;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import sunbeam.app.terminal.UsageException;
 
@@ -18,13 +19,11 @@ public enum Ending {
     ROWS("an archive of NumPy arrays or an HDF5 file", "npz", "h5", "hdf5", "he5");
 
     private final String what;
-    private final String usual;
-    private final String endings;
+    private final List<String> endings;
 
     Ending(String what, String... endings) {
         this.what = what;
-        this.usual = endings[0];
-        this.endings = " " + String.join(" ", endings) + " ";
+        this.endings = List.of(endings);
     }
 
     /**
@@ -42,11 +41,11 @@ public enum Ending {
         String name = named.getFileName().toString();
         int dot = name.lastIndexOf('.');
         String ending = dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
-        if (!endings.contains(" " + ending + " ")) {
+        if (!endings.contains(ending)) {
             throw new UsageException(option + " " + named + " would be " + what + ", which its name does not say; "
                     + (ending.isEmpty()
-                            ? "call it " + name + "." + usual
-                            : "end it with ." + endings.trim().replace(" ", " or .")));
+                            ? "call it " + name + "." + endings.get(0)
+                            : "end it with ." + String.join(" or .", endings)));
         }
     }
 }

@@ -8,14 +8,17 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.ObjIntConsumer;
 import java.util.zip.Deflater;
 
 /**
  * File in OpenEXR 2 format: scan lines in ZIP blocks of 16.
  *
  * @param channels one letter each, in the order of the samples: against the alphabet, in which the file has them
+ * @param samples writer of the sample with an index: row by row from the top, the channels of a pixel side by side
  */
-public record ExrFile(int width, int height, String channels, int type, Samples samples, String comments) {
+public record ExrFile(
+        int width, int height, String channels, int type, ObjIntConsumer<ByteBuffer> samples, String comments) {
     private static final int MAGIC = 20000630;
     private static final int VERSION = 2;
     private static final int ZIP = 3;
@@ -24,19 +27,14 @@ public record ExrFile(int width, int height, String channels, int type, Samples 
     private static final int HALF = 1;
     private static final int FLOAT = 2;
 
-    /** Row by row from the top, the channels of a pixel side by side. */
-    interface Samples {
-        void put(int index, ByteBuffer bytes);
-    }
-
     /** Returns a file of red, green and blue as bits of half floats, row by row from the top. */
     public static ExrFile ofHalves(int width, int height, short[] rgb, String comments) {
-        return new ExrFile(width, height, "RGB", HALF, (index, bytes) -> bytes.putShort(rgb[index]), comments);
+        return new ExrFile(width, height, "RGB", HALF, (bytes, index) -> bytes.putShort(rgb[index]), comments);
     }
 
     /** Returns a file of red, green, blue and alpha, row by row from the top. */
     public static ExrFile ofFloats(int width, int height, float[] rgba, String comments) {
-        return new ExrFile(width, height, "RGBA", FLOAT, (index, bytes) -> bytes.putFloat(rgba[index]), comments);
+        return new ExrFile(width, height, "RGBA", FLOAT, (bytes, index) -> bytes.putFloat(rgba[index]), comments);
     }
 
     public void write(OutputStream stream) throws IOException {
@@ -97,7 +95,7 @@ public record ExrFile(int width, int height, String channels, int type, Samples 
         for (int line = from; line < to; line++) {
             for (int channel = count - 1; channel >= 0; channel--) {
                 for (int x = 0; x < width; x++) {
-                    samples.put((line * width + x) * count + channel, lines);
+                    samples.accept(lines, (line * width + x) * count + channel);
                 }
             }
         }

@@ -26,10 +26,6 @@ public final class NpyWriter {
         writeValues(stream, values);
     }
 
-    public static void writeHeader(OutputStream stream, int... shape) throws IOException {
-        stream.write(header(shape));
-    }
-
     /** Writes values after the header and those before them. */
     public static void writeValues(OutputStream stream, float[] values) throws IOException {
         ByteBuffer buffer = ByteBuffer.allocate(BUFFER_VALUES * Float.BYTES).order(ByteOrder.LITTLE_ENDIAN);
@@ -47,7 +43,7 @@ public final class NpyWriter {
         return entry;
     }
 
-    private static byte[] header(int... shape) {
+    public static void writeHeader(OutputStream stream, int... shape) throws IOException {
         // Python's tuples: (), (3,), (2, 3).
         String tuple = Arrays.stream(shape).mapToObj(Integer::toString).collect(Collectors.joining(", "));
         String dictionary =
@@ -58,6 +54,6 @@ public final class NpyWriter {
         byte[] text = (dictionary + " ".repeat(padding) + "\n").getBytes(StandardCharsets.US_ASCII);
         ByteBuffer header = ByteBuffer.allocate(PREFIX_BYTES + text.length).order(ByteOrder.LITTLE_ENDIAN);
         header.put("\u0093NUMPY\1\0".getBytes(StandardCharsets.ISO_8859_1));
-        return header.putShort((short) text.length).put(text).array();
+        stream.write(header.putShort((short) text.length).put(text).array());
     }
 }

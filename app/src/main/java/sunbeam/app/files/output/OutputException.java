@@ -43,6 +43,12 @@ public class OutputException extends RuntimeException {
                 + "): the program that reads it has ended, or the disk that it goes to is full";
     }
 
+    static void refuseIf(boolean condition, Path target, String problem) {
+        if (condition) {
+            throw new OutputException("cannot write " + target + ": " + problem);
+        }
+    }
+
     /** Image writers wrap the operating system's failure in an "I/O error". */
     private static IOException rootOf(IOException failure) {
         return failure.getCause() instanceof IOException cause ? rootOf(cause) : failure;

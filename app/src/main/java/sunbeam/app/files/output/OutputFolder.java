@@ -145,26 +145,20 @@ public final class OutputFolder {
         if (StandardOutput.isMeant(target)) {
             return;
         }
-        if (Files.isDirectory(target)) {
-            throw new OutputException("cannot write " + target + ": it is a folder; name a file in it");
-        }
+        OutputException.refuseIf(Files.isDirectory(target), target, "it is a folder; name a file in it");
         Path folder = of(target);
-        if (!Files.exists(folder)) {
-            throw new OutputException(
-                    "cannot write " + target + ": the folder " + folder + " does not exist; create it first");
-        }
-        if (!Files.isDirectory(folder)) {
-            throw new OutputException("cannot write " + target + ": " + folder + " is not a folder");
-        }
+        String missing = "the folder " + folder + " does not exist; create it first";
+        OutputException.refuseIf(!Files.exists(folder), target, missing);
+        OutputException.refuseIf(!Files.isDirectory(folder), target, folder + " is not a folder");
         if (!Files.exists(target, LinkOption.NOFOLLOW_LINKS) || isDevice(target)) {
             return;
         }
         if (overwrite == Overwrite.REFUSE) {
             throw OutputException.of(target, new FileAlreadyExistsException(target.toString()));
         }
-        if (overwrite == Overwrite.REPLACE && !Files.isSymbolicLink(target) && !Files.isWritable(target)) {
-            throw new OutputException("cannot write " + target + ": it is write-protected; choose another name");
-        }
+        boolean isProtected = !Files.isSymbolicLink(target) && !Files.isWritable(target);
+        OutputException.refuseIf(
+                overwrite == Overwrite.REPLACE && isProtected, target, "it is write-protected; choose another name");
     }
 
     /** True for a device, written in place. A link in a folder that all may write to is replaced: another user may have made it. */

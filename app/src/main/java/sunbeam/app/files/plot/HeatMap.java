@@ -36,7 +36,7 @@ public final class HeatMap {
     private static final float CURVE_WIDTH = 2;
     private static final float RIM_WIDTH = 1;
     private static final Color SHADE = new Color(0, 0, 0, 150);
-    private static final float[] SOLID = {};
+    private static final float[] SOLID = null;
     private static final float[] DASHED = {10, 8};
     private static final float[] DOTTED = {3, 6};
 
@@ -118,9 +118,7 @@ public final class HeatMap {
     }
 
     private static BasicStroke stroke(float width, float[] dashes) {
-        return dashes.length == 0
-                ? new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND)
-                : new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
+        return new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
     }
 
     public HeatMap mark(String label, double x, double y) {

@@ -91,17 +91,16 @@ final class PlotStyle {
     }
 
     private static ValueAxis axis(Plot.Axis description, RectangleInsets labelMargins) {
-        NumberFormat labels = description.scale() == Plot.Scale.LINEAR ? NUMBERS : POWERS;
         ValueAxis axis;
         if (description.scale() == Plot.Scale.LINEAR) {
             NumberAxis linear = new NumberAxis(description.label());
             linear.setAutoRangeIncludesZero(false);
             linear.setAutoRangeStickyZero(false);
-            linear.setNumberFormatOverride(labels);
+            linear.setNumberFormatOverride(NUMBERS);
             axis = linear;
         } else {
             LogAxis logarithmic = new LogAxis(description.label());
-            logarithmic.setNumberFormatOverride(labels);
+            logarithmic.setNumberFormatOverride(POWERS);
             axis = logarithmic;
         }
         axis.setLabelFont(LABEL_FONT);
