@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.cli.LightOptions;
 import sunbeam.app.cli.Range;
+import sunbeam.app.cli.color.ColorReport.ViewColor;
 import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;

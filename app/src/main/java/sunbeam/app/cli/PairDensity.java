@@ -1,4 +1,4 @@
-package sunbeam.app.cli.sample;
+package sunbeam.app.cli;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.benchmark;
+package sunbeam.app.cli;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -141,24 +141,18 @@ record Meter(RenderContext context, int size, Direction light) {
     }
 
     /** Random views of one light brighter than {@link Comparison#FLOOR}, with their exact colors: half uniform, half aimed at orders. */
-    static final class ExactViews {
+    record ExactViews(
+            DiffractionSetup setup, Direction light, int count, Map<ReferenceMethod, List<View>> views) {
         // Nearly all views of a grating are dark; the limit ends the search on a patch that is dark everywhere.
         private static final int MOST_TRIES_PER_VIEW = 30;
         // Views that are evaluated in parallel before the bright ones are counted.
         private static final int BATCH = 32;
         private static final long SEED = 3;
 
-        private final DiffractionSetup setup;
-        private final Direction light;
-        private final int count;
-        private final Map<ReferenceMethod, List<View>> views = new HashMap<>();
-
-        private record View(Query query, double[] xyz) {}
+        record View(Query query, double[] xyz) {}
 
         ExactViews(DiffractionSetup setup, Direction light, int count) {
-            this.setup = setup;
-            this.light = light;
-            this.count = count;
+            this(setup, light, count, new HashMap<>());
         }
 
         /** Compares a method's radiance, of tables for this light, with the reference under the method's window and average. */

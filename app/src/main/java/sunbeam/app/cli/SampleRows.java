@@ -1,4 +1,4 @@
-package sunbeam.app.cli.sample;
+package sunbeam.app.cli;
 
 import io.jhdf.HdfFile;
 import io.jhdf.WritableHdfFile;

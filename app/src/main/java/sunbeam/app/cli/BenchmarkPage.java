@@ -1,4 +1,4 @@
-package sunbeam.app.cli.benchmark;
+package sunbeam.app.cli;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import sunbeam.app.cli.benchmark.Meter.Measurement;
+import sunbeam.app.cli.Meter.Measurement;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.OutputFolder;

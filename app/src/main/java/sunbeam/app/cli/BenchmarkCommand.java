@@ -1,4 +1,4 @@
-package sunbeam.app.cli.benchmark;
+package sunbeam.app.cli;
 
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
@@ -15,12 +15,7 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.FileCommand;
-import sunbeam.app.cli.JsonOption;
-import sunbeam.app.cli.LightOptions;
-import sunbeam.app.cli.MethodOptions;
-import sunbeam.app.cli.PatchOptions;
-import sunbeam.app.cli.benchmark.Meter.Measurement;
+import sunbeam.app.cli.Meter.Measurement;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.terminal.ExitCode;

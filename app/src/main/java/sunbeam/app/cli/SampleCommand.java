@@ -1,4 +1,4 @@
-package sunbeam.app.cli.sample;
+package sunbeam.app.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -10,13 +10,7 @@ import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.CertifyOption;
-import sunbeam.app.cli.FileCommand;
-import sunbeam.app.cli.JsonOption;
-import sunbeam.app.cli.MethodOptions;
-import sunbeam.app.cli.PatchOptions;
 import sunbeam.app.cli.PatchOptions.TaskPart;
-import sunbeam.app.cli.SettingOptions;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.benchmark;
+package sunbeam.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.ExitCode;
 
