@@ -129,7 +129,7 @@ class RenderCommandTest extends CommandLineFixture {
         int[] a = one.getRGB(0, 0, one.getWidth(), one.getHeight(), null, 0, one.getWidth());
         int[] b = other.getRGB(0, 0, other.getWidth(), other.getHeight(), null, 0, other.getWidth());
         return IntStream.range(0, 3 * a.length)
-                .map(i -> (a[i / 3] >> (8 * (i % 3)) & 0xff) - (b[i / 3] >> (8 * (i % 3)) & 0xff))
+                .map(i -> ((a[i / 3] >> (8 * (i % 3))) & 0xff) - ((b[i / 3] >> (8 * (i % 3))) & 0xff))
                 .map(Math::abs)
                 .average()
                 .orElseThrow();
