@@ -13,8 +13,6 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
-import sunbeam.precompute.colortable.AtlasPages.TableLookUp;
-import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.TileGrid.TableSpace;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -64,7 +62,7 @@ public record ValidatedTable(AtlasPages pages, ErrorStatistics errors) {
     public static Optional<ValidatedTable> cached(
             ColorTable levels,
             TablePoints points,
-            CachedTiles cached,
+            LevelBaking.CachedTiles cached,
             Function<TableDesign, ColorBaker> bakers,
             LongFunction<ColorBaker.Token> tokens) {
         TileGrid grid = TileGrid.of(levels.levels().get(0));
@@ -86,7 +84,7 @@ public record ValidatedTable(AtlasPages pages, ErrorStatistics errors) {
     /** Compares a table with its source at the first samples, until {@link #ENOUGH} of them are bright. */
     private static ValidatedTable of(
             AtlasPages pages, ColorBaker baker, ColorBaker.Token token, List<DirectionPair> samples) {
-        TableLookUp table = pages.lookUp();
+        AtlasPages.TableLookUp table = pages.lookUp();
         List<Comparison> bright = new ArrayList<>();
         for (int start = 0; start < samples.size() && bright.size() < ENOUGH; start += ENOUGH) {
             List<DirectionPair> batch = samples.subList(start, Math.min(samples.size(), start + ENOUGH));

@@ -19,7 +19,6 @@ import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
@@ -99,7 +98,7 @@ public record ColorTablePlan(
                 finest.spectrum(),
                 Optional.of(this),
                 finest.memory(),
-                EnumSet.of(MethodUse.COLOR),
+                EnumSet.of(ShaderTables.MethodUse.COLOR),
                 this::identity,
                 (use, sources) -> tables());
     }

@@ -7,7 +7,6 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
-import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -31,7 +30,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
     }
 
     public static FullMethod thesis() {
-        return of(Choices.none().with(MethodSettings.PRESET, Preset.THESIS));
+        return of(Choices.none().with(MethodSettings.PRESET, MethodSettings.Preset.THESIS));
     }
 
     @Override

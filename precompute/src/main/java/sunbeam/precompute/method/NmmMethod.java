@@ -16,7 +16,6 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderArrays;
 import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
@@ -81,7 +80,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                 Optional.empty(),
                 Optional.empty(),
                 MemoryNeed.of(plan, surface.map().rows()).and(ownLayout(weighted)),
-                EnumSet.allOf(MethodUse.class),
+                EnumSet.allOf(ShaderTables.MethodUse.class),
                 () -> "nmm|" + weighted + "|" + surface.key() + "|" + plan.key() + "|" + fresnel,
                 (use, sources) -> tables(surface, plan, plan.tables(sources.fourier(plan), use, surface.cie())));
     }

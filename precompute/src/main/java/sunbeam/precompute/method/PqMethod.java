@@ -13,7 +13,6 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
-import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -25,7 +24,6 @@ import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.KernelPolynomials;
 import sunbeam.precompute.shader.ShaderArrays;
 import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
@@ -78,7 +76,7 @@ public record PqMethod(
     public static PeriodInterpolation interpolation(Choices choices) {
         return choices.get(
                 MethodSettings.INTERPOLATION,
-                Preset.isThesis(choices) ? PeriodInterpolation.RING : PeriodInterpolation.SINC);
+                MethodSettings.Preset.isThesis(choices) ? PeriodInterpolation.RING : PeriodInterpolation.SINC);
     }
 
     @Override
@@ -173,7 +171,7 @@ public record PqMethod(
                     Optional.empty(),
                     Optional.empty(),
                     memory(),
-                    EnumSet.allOf(MethodUse.class),
+                    EnumSet.allOf(ShaderTables.MethodUse.class),
                     () -> "pq|" + surface.key() + "|" + expansion.key() + "|" + range + "|" + method.interpolation + "|"
                             + replicas + "|" + wavelengths.count() + "|" + method.fresnel,
                     (use, sources) -> tables());

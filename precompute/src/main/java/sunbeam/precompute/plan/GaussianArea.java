@@ -5,9 +5,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ExactLight.WindowLight;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -20,7 +18,7 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
             List.of(MethodSettings.WINDOW_ORIGIN, MethodSettings.COHERENCE_LENGTH, MethodSettings.AVERAGE);
 
     public static GaussianArea of(Choices choices) {
-        boolean thesis = Preset.isThesis(choices);
+        boolean thesis = MethodSettings.Preset.isThesis(choices);
         return new GaussianArea(
                 windowOf(choices),
                 choices.get(MethodSettings.WINDOW_ORIGIN, thesis ? WindowOrigin.CORNER : WindowOrigin.CENTRE),
@@ -33,7 +31,8 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
 
     /** Returns the exact diffracted light of a patch, evaluated by direct sums. */
     public ExactLight over(HeightMap map, CieTable cie) {
-        return new WindowLight(new ReferenceEvaluator(map, window, origin), cie, average == Average.ENSEMBLE);
+        return new ExactLight.WindowLight(
+                new ReferenceEvaluator(map, window, origin), cie, average == Average.ENSEMBLE);
     }
 
     public GaussianArea with(CoherenceWindow other) {

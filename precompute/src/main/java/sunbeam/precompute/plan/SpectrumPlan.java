@@ -9,10 +9,8 @@ import java.util.Optional;
 import java.util.function.IntConsumer;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.plan.Sampling.BinSampling;
 import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
@@ -119,7 +117,7 @@ public record SpectrumPlan(
                         MethodSettings.TERMS,
                         ", or leave it out"));
             }
-            if (sampling instanceof BinSampling bins && !bins.planned()) {
+            if (sampling instanceof Sampling.BinSampling bins && !bins.planned()) {
                 lines.add(Sentence.of(
                         "equal steps of the wavelength keep no tolerance; leave out ", MethodSettings.WAVELENGTH_STEP));
             }
@@ -186,7 +184,7 @@ public record SpectrumPlan(
                         "window: coherence length %s, its spectrum has a deviation of %.4g cycles per meter, centered on the %s",
                         Lengths.format(window().coherenceLength()),
                         window().sigmaFrequency(),
-                        area.origin() == WindowOrigin.CORNER ? "corner" : "patch's center"),
+                        area.origin() == CoherenceWindow.WindowOrigin.CORNER ? "corner" : "patch's center"),
                 "bins: " + bins() + " reach every visible frequency at 380 nm and the window's width beyond");
     }
 

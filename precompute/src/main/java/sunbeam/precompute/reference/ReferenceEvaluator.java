@@ -3,7 +3,6 @@ package sunbeam.precompute.reference;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
@@ -28,7 +27,7 @@ public record ReferenceEvaluator(
     private static final double POWER_REACH = 6.8;
 
     /** Throws IllegalArgumentException if samples are missing. */
-    public ReferenceEvaluator(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
+    public ReferenceEvaluator(HeightMap map, CoherenceWindow window, CoherenceWindow.WindowOrigin origin) {
         this(
                 SurfaceSums.of(map),
                 window,

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import sunbeam.precompute.setting.Choices.Origin;
 
 /**
  * Declaration of a user's setting.
@@ -76,7 +75,7 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
             return new Sentence(List.of(parts));
         }
 
-        public String in(Origin origin) {
+        public String in(Choices.Origin origin) {
             return parts.stream()
                     .map(part -> part instanceof Setting<?> setting ? origin.name(setting) : part.toString())
                     .collect(Collectors.joining());

@@ -5,7 +5,6 @@ import org.apache.commons.math3.complex.Complex;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.spectrum.Expansion.HeightScale;
 
 /**
  * Expansion of exp(i k w h) = exp(-i zeta s), up to a constant phase. Each term is a function of direction and wavelength times a function
