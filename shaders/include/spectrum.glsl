@@ -3,7 +3,7 @@
 // CIE 1931 color matching functions times D65 at any wavelength, normalized so that their integral over wavelength is the
 // white of D65 with Y = 1.
 
-// Eight texels per nanometer from 380 to 780 nm (sunbeam.precompute.shader.ShaderArrays): row SMOOTH_WEIGHTS is smoothed, row TABLE_WEIGHTS
+// Eight texels per nanometer from 380 to 780 nm (sunbeam.precompute.plan.ShaderArrays): row SMOOTH_WEIGHTS is smoothed, row TABLE_WEIGHTS
 // interpolates the CIE's tables linearly, with corners at whole nanometers.
 uniform sampler2D cieWeights;
 

@@ -45,11 +45,11 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.shader.ShaderTables;
 
 /** Command {@code sunbeam evaluate}: compares a patch's response to light with the grating equation, as the thesis does in chapter 4. */
 @Command(

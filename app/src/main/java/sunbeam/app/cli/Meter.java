@@ -27,11 +27,11 @@ import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.plan.Roughness;
+import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -141,8 +141,7 @@ record Meter(RenderContext context, int size, Direction light) {
     }
 
     /** Random views of one light brighter than {@link Comparison#FLOOR}, with their exact colors: half uniform, half aimed at orders. */
-    record ExactViews(
-            DiffractionSetup setup, Direction light, int count, Map<ReferenceMethod, List<View>> views) {
+    record ExactViews(DiffractionSetup setup, Direction light, int count, Map<ReferenceMethod, List<View>> views) {
         // Nearly all views of a grating are dark; the limit ends the search on a patch that is dark everywhere.
         private static final int MOST_TRIES_PER_VIEW = 30;
         // Views that are evaluated in parallel before the bright ones are counted.

@@ -48,12 +48,12 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
+import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** Command {@code sunbeam reflectance}: evaluates a list of directions, to compare with other programs. */
 @Command(

@@ -9,9 +9,9 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.plan.ArrayLayout;
+import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.plan.TableArray;
 
 /**
  * A method's tables in graphics memory, for any program that includes the method. Owns its textures.

@@ -21,8 +21,8 @@ import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.ShaderTables;
 
 /**
  * Input of a {@link SceneSession} for one patch and one reflectance component. A scene's parts share the objects of mesh, sky and textures.

@@ -34,10 +34,10 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
+import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.text.Text;
 
 /** Loads the data of scenes. Needs no OpenGL and may run on any thread; may take seconds. */

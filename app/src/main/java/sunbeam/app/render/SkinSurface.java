@@ -26,7 +26,7 @@ import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.RefractiveIndex;
-import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.plan.ShaderTables;
 
 /** A diffraction method on a mesh: the method's tables, and shaders/skin.frag compiled with the method. */
 final class SkinSurface implements AutoCloseable {

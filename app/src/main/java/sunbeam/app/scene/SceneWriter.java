@@ -19,10 +19,10 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.SceneSettings.SkinIndex;
-import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.JsonObject;
 import sunbeam.precompute.setting.Setting;
 
 /** Writes scene files that {@link Scenes} reads. */

@@ -9,11 +9,11 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTablesFile;
-import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
-import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.plan.ArrayLayout;
+import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.plan.ShaderTablesFile;
+import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.TableArray;
 
 final class CacheCommandTest extends CommandLineFixture {
     private Path cache;

@@ -26,8 +26,8 @@ import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchLoader.HeightCache;
 import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.plan.ShaderTablesFile;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.ShaderTablesFile;
 
 /** Everything of Sunbeam's that reads a file which may have come from anywhere. */
 enum FuzzedReader {

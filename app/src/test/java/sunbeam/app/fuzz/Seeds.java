@@ -16,11 +16,11 @@ import sunbeam.app.files.output.PngWriter;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.NumberFormat;
-import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTablesFile;
-import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
-import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.plan.ArrayLayout;
+import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.plan.ShaderTablesFile;
+import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.TableArray;
 
 final class Seeds {
     /** Of the shader tables. */

@@ -20,11 +20,11 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.Sampling.OrderSampling;
 import sunbeam.precompute.plan.Sampling.OrderSampling.BandRule;
+import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** Mesa's software renderer silently ends loops after 65,535 steps; the partial sums must be refused. */
 class LoopLimitTest extends InAContext {

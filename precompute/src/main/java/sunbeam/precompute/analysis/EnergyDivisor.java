@@ -8,10 +8,10 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.plan.ArrayLayout;
+import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.plan.TableArray;
 import sunbeam.precompute.prepare.Edges;
-import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
 /**

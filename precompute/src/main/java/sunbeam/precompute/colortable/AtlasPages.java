@@ -6,9 +6,9 @@ import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import sunbeam.precompute.numerics.Lagrange;
-import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.plan.ArrayLayout;
+import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.plan.TableArray;
 
 /**
  * Atlas pages and page table, as in shaders/include/color_table.glsl. Pages lie side by side in layers of texels, in the order in which

@@ -5,8 +5,8 @@ import java.util.Comparator;
 import java.util.function.BiFunction;
 import java.util.stream.IntStream;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.shader.ArrayLayout;
 
 /**
  * Texel grid of a level, from an origin, in slices of |w|, divided into tiles, which are numbered row by row, slice after slice. Columns

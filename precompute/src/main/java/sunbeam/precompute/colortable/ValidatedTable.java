@@ -19,11 +19,11 @@ import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.text.Text;
 
 /**

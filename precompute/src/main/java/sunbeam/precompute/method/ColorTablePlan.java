@@ -10,16 +10,16 @@ import sunbeam.precompute.colortable.AtlasPages;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TileGrid;
+import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.Roughness;
+import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.SpectrumPlan;
+import sunbeam.precompute.plan.TableArray;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
 /**

@@ -7,12 +7,12 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
+import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** Method {@code full}: sums power over all wavelengths, with a planned sampling or the thesis's, under a Gaussian window. */
 public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {

@@ -9,10 +9,10 @@ import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Setting.Sentence;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.FourierTable;
 
 /**

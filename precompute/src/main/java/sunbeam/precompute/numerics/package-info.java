@@ -1,2 +1,2 @@
-/** Numerical methods that several packages share: quadrature, interpolation, quantiles, sines of arrays. */
+/** Interpolation and quantiles, which several packages share. */
 package sunbeam.precompute.numerics;

@@ -1,7 +1,5 @@
 package sunbeam.precompute.plan;
 
-import sunbeam.precompute.shader.ShaderTables;
-
 /** Kind of average of the diffracted power over the patch. */
 public enum Average {
     /** One coherence area: amplitudes are summed, then squared (thesis algorithm 3.3). */

@@ -6,8 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
-import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
+import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.text.Text;
 

@@ -6,7 +6,6 @@ import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 import sunbeam.precompute.text.Text;

@@ -1,2 +1,2 @@
-/** Plans of the sums and tables for a patch, a coherence window, and the directions that a scene can reach. */
+/** Plans of the sums for a patch, a window and the directions that a scene can reach; the shader's arrays, defines and uniforms. */
 package sunbeam.precompute.plan;

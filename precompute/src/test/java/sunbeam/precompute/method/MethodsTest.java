@@ -35,9 +35,9 @@ import sunbeam.precompute.plan.MethodSettings.GemForm;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.Neighborhood.Anchor;
+import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 
 /** Choices to methods: settings without a meaning for the method are refused. */

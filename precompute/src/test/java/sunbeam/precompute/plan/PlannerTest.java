@@ -31,13 +31,10 @@ import sunbeam.precompute.plan.GridSampling.TermsLayout;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.Sampling.BinSampling;
 import sunbeam.precompute.plan.Sampling.OrderSampling;
+import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.FourierTable;
 

@@ -28,8 +28,8 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.Sha256;
-import sunbeam.precompute.shader.ShaderTablesFile;
-import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.ShaderTablesFile;
+import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 
 /**
  * Cache folder, whose files can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base Directory

@@ -30,7 +30,7 @@ import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.Sha256;
-import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 
 /**
  * Cache file of a color table's tiles in the order of baking. After the head (format, label, hash of the key) come records: a number made

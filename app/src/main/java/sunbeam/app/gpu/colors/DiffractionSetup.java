@@ -29,14 +29,14 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.plan.ShaderTables.MethodUse;
+import sunbeam.precompute.plan.ShaderTablesFile;
+import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.shader.ShaderTablesFile;
-import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.spectrum.FourierTable;
 
 /**

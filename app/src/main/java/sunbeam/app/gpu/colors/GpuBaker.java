@@ -12,7 +12,7 @@ import jrtr.gl.Texture;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.plan.ShaderTables;
 
 /** Bakes colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may call it. */
 record GpuBaker(

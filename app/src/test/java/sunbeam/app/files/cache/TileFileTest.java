@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.NumberFormat;
-import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 
 final class TileFileTest {
     private static final TableLabel LABEL = new TableLabel("bläze", "table: 3 levels");

@@ -37,16 +37,16 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.plan.ShaderTables.MethodUse;
+import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.plan.SpectrumPlan;
+import sunbeam.precompute.plan.TableArray;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
-import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /** Tables are made once, and are read back unchanged. */

@@ -43,8 +43,8 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.ShaderTables;
 
 /** A color table whose tiles are baked and one whose tiles are in the cache; the look-ups of shader and Java agree. */
 @NeedsDisplay

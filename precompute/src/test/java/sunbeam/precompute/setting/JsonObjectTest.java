@@ -1,4 +1,4 @@
-package sunbeam.precompute.json;
+package sunbeam.precompute.setting;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -18,11 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Choices.Origin;
-import sunbeam.precompute.setting.Setting;
-import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.setting.ValueKind;
 
 /** Choices of settings from JSON, and messages about choices from any place. */
 class JsonObjectTest {

@@ -1,4 +1,4 @@
-package sunbeam.precompute.shader;
+package sunbeam.precompute.plan;
 
 import java.util.StringJoiner;
 import java.util.function.DoubleUnaryOperator;

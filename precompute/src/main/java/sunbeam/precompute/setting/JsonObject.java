@@ -1,4 +1,4 @@
-package sunbeam.precompute.json;
+package sunbeam.precompute.setting;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
@@ -24,11 +24,8 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Choices.Origin.Place;
-import sunbeam.precompute.setting.Setting;
-import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Similar;
 import sunbeam.precompute.text.Text;

@@ -1,4 +1,4 @@
-package sunbeam.precompute.shader;
+package sunbeam.precompute.plan;
 
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;

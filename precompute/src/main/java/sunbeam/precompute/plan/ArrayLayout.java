@@ -1,4 +1,4 @@
-package sunbeam.precompute.shader;
+package sunbeam.precompute.plan;
 
 import java.util.Set;
 import sunbeam.precompute.text.Text;

@@ -1,4 +1,4 @@
-package sunbeam.precompute.shader;
+package sunbeam.precompute.plan;
 
 import com.fasterxml.jackson.core.JacksonException;
 import com.fasterxml.jackson.databind.DeserializationFeature;

@@ -1,4 +1,4 @@
-package sunbeam.precompute.shader;
+package sunbeam.precompute.plan;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.shader.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.spectrum.InterpolationDesign;
 
 /** Tables are read back bit by bit, other files are refused; layouts and kernels in tables. */

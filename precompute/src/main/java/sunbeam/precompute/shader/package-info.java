@@ -1,2 +1,0 @@
-/** Input of shaders, independent of OpenGL: named arrays, defines and uniforms. */
-package sunbeam.precompute.shader;
