@@ -1,9 +1,6 @@
 package jrtr;
 
-/**
- * Thrown if the machine, its driver or a shader cannot do something. The message is one line that names the object, the value
- * and, where there is one, the remedy.
- */
+/** Failure of the machine, its driver or a shader; the message is one line that names object, value and remedy. */
 public class GraphicsException extends RuntimeException {
     public GraphicsException(String message) {
         this(message, null);

@@ -150,12 +150,7 @@ public final class FloatTarget extends Resource {
         return read(color, Tile.whole(spec.width(), spec.height()));
     }
 
-    /**
-     * Reads part of an image: {@code 4 * tile.width * tile.height} floats, RGBA interleaved, the tile's top row first.
-     *
-     * @param color index of the image, from 0
-     * @throws ArithmeticException if these are more floats than a Java array can hold
-     */
+    /** Reads part of an image: {@code 4 * tile.width * tile.height} floats, RGBA interleaved, the tile's top row first. */
     public float[] read(int color, Tile tile) {
         float[] pixels = new float[Math.toIntExact(CHANNELS * tile.pixels())];
         readPixels(color, tile, GL3.GL_RGBA, GL3.GL_FLOAT, FloatBuffer.wrap(pixels));

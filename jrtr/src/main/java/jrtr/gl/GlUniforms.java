@@ -12,10 +12,7 @@ import java.util.stream.Collectors;
 import jrtr.GraphicsException;
 import jrtr.glsl.FlatUniforms;
 
-/**
- * Active uniforms of a linked program, and all names that its shaders declare. Each sampler has a fixed texture unit, so that a draw only
- * binds textures.
- */
+/** Active uniforms of a program, and all names that its shaders declare. Each sampler has a fixed texture unit. */
 final class GlUniforms {
     private static final Pattern DECLARATION = Pattern.compile("\\buniform\\b([^;{}]*)");
     private static final Pattern WORD = Pattern.compile("\\w+");

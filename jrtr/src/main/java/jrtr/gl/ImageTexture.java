@@ -106,10 +106,7 @@ public final class ImageTexture extends Texture {
             return sum;
         }
 
-        /**
-         * Returns for each texel i of the next level, along one axis, the share of it that each texel from 2 i on covers: 2 texels, or 3 if
-         * the side is odd, or 1 if the side is 1.
-         */
+        /** Returns the shares of each texel i of the next level that 2 texels from 2 i on cover; 3 of an odd side, 1 of a side of 1. */
         private static float[][] overlaps(int side) {
             int length = Math.max(1, side / 2);
             float[][] shares = new float[length][Math.min(side, 2 + side % 2)];

@@ -54,10 +54,7 @@ public interface ShaderLibrary {
         };
     }
 
-    /**
-     * Returns the shader files that come with the engine; their names begin with {@code jrtr/}. Fragment shaders of meshes may include
-     * {@code jrtr/surface.glsl} and {@code jrtr/tangent_frame.glsl}.
-     */
+    /** Returns the engine's files, such as {@code jrtr/surface.glsl}, which fragment shaders of meshes include. */
     static ShaderLibrary ofEngine() {
         String prefix = "jrtr/";
         ShaderLibrary files = ofClassPath(ShaderLibrary.class.getClassLoader(), "jrtr/shaders");

@@ -47,11 +47,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
         program.set("viewPerRow", up.mul(-2 / (toClip.m11() * area.part().height())));
     }
 
-    /**
-     * Part of a picture that a target shows. Pictures larger than the driver's largest target are drawn in parts.
-     *
-     * @param part rectangle of the picture, of the target's size
-     */
+    /** Part of a picture that a target of its size shows. Pictures beyond the driver's largest target are drawn in parts. */
     public record Area(int pictureWidth, int pictureHeight, Tile part) {
         public static Area whole(int width, int height) {
             return new Area(width, height, Tile.whole(width, height));

@@ -13,10 +13,7 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
 
-/**
- * Failure as the user sees it on the command line and in the viewer: exit code and message of an exception; the cause is without the
- * wrappers of thread pools.
- */
+/** Failure as the user sees it: exit code and message of an exception, without the wrappers of thread pools. */
 public record Failure(ExitCode code, String message, Throwable cause) {
     /** Exit codes by the type of the exception. A new type needs an entry here, and a message that names the value and the remedy. */
     private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(

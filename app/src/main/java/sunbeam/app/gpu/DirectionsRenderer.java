@@ -13,11 +13,7 @@ import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import sunbeam.precompute.optics.DirectionPair;
 
-/**
- * Evaluates directions on the GPU, one fragment each (shaders/directions.frag).
- *
- * @param spectral true to evaluate powers at each direction's wavelength, false to evaluate colors
- */
+/** Evaluates directions on the GPU, one fragment each (shaders/directions.frag): powers if {@code spectral}, else colors. */
 public record DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral, ShaderProgram program)
         implements AutoCloseable {
     // Directions per draw: few enough for a short draw on a slow driver, enough to keep all its processors busy.

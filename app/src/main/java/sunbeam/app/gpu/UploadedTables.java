@@ -13,11 +13,7 @@ import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.TableArray;
 
-/**
- * A method's tables in graphics memory, for any program that includes the method. Owns its textures.
- *
- * @param textures textures by sampler name
- */
+/** Tables of a method in graphics memory, for any program that includes the method. Owns its textures, by sampler name. */
 public record UploadedTables(RenderContext context, ShaderTables tables, Map<String, Texture> textures)
         implements AutoCloseable {
     // LOOPS_CUT of shaders is -1e30: weighted and added to light it stays below, and valid results above.

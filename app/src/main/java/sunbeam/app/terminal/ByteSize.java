@@ -18,11 +18,7 @@ public final class ByteSize {
 
     private ByteSize() {}
 
-    /**
-     * Returns the number of bytes of a size with its unit: B, kB, MB, GB, TB, in upper or lower case.
-     *
-     * @throws IllegalArgumentException if the text is no size; the message says what is expected
-     */
+    /** Returns the bytes of a size in B, kB, MB, GB, TB (any case), or throws IllegalArgumentException that says what is expected. */
     public static long parse(String text) {
         Matcher written = WRITTEN.matcher(text.strip());
         if (!written.matches()) {

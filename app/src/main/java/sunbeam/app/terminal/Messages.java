@@ -67,11 +67,7 @@ public final class Messages {
         }
     }
 
-    /**
-     * Returns one line: a single short warning in full, else the beginnings of all warnings, up to the first colon.
-     *
-     * @param remedy command or option that prints them in full
-     */
+    /** Returns one line: a single short warning, else all up to their first colons and the remedy, which prints them in full. */
     public static Optional<String> scanWarning(String name, List<String> warnings, String remedy) {
         if (warnings.isEmpty()) {
             return Optional.empty();

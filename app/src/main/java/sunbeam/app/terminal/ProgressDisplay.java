@@ -91,10 +91,7 @@ public final class ProgressDisplay {
         }
     }
 
-    /**
-     * Line of a task. On a terminal it is redrawn in place, and erased at the end; elsewhere copies of it are printed, and the last state
-     * of a task that has printed one.
-     */
+    /** Line of a task: redrawn and at the end erased on a terminal; elsewhere copies are printed, if any then also the last state. */
     final class Line implements ProgressBarConsumer {
         private final long start = nanoseconds.getAsLong();
         private final boolean isHidden = silent;

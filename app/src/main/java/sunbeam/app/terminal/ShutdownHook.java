@@ -4,10 +4,7 @@ package sunbeam.app.terminal;
 public final class ShutdownHook implements AutoCloseable {
     private final Thread thread;
 
-    /**
-     * @param action action that runs on a thread of its own; must be quick and thread-safe
-     * @throws CancelledException if the process is being ended already
-     */
+    /** Runs the action on a thread of its own; it must be quick and thread-safe. Throws CancelledException if the process is ending. */
     public ShutdownHook(Runnable action) {
         thread = new Thread(action, "sunbeam-shutdown");
         try {

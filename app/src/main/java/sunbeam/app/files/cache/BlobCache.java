@@ -48,11 +48,7 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
         return Optional.of(found.toString());
     }
 
-    /**
-     * Returns the cached bytes, or makes and caches them.
-     *
-     * @param name text of all that determines the bytes besides the build, for {@code cache}
-     */
+    /** Returns the cached bytes, or makes and caches them. The name is all that determines them besides the build. */
     public byte[] get(String name, int most, Supplier<byte[]> maker) {
         // The cache of tables prints the same warning already.
         Consumer<String> dropped = line -> {};

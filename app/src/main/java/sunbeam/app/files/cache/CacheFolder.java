@@ -131,11 +131,7 @@ public record CacheFolder(Path path, String allowed) {
         return Files.getFileStore(file).supportsFileAttributeView("posix");
     }
 
-    /**
-     * Returns the files, last used first.
-     *
-     * @throws UncheckedIOException if the folder cannot be listed
-     */
+    /** Returns the files, last used first; throws {@link UncheckedIOException} if the folder cannot be listed. */
     public List<Entry> entries() {
         if (!Files.isDirectory(path)) {
             return List.of();
@@ -164,9 +160,7 @@ public record CacheFolder(Path path, String allowed) {
         return entries;
     }
 
-    /**
-     * Reads a file; empty if it is missing or no regular file, or with one line of warning if the reader throws an {@link InputException}.
-     */
+    /** Reads a file; empty if it is missing or not regular, or, with a line of warning, if the reader throws {@link InputException}. */
     public <T> Optional<T> read(Path file, Function<Path, T> reader, Consumer<String> warning) {
         if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
             return Optional.empty();
@@ -204,11 +198,7 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /**
-     * Returns bytes: {@code SUNBEAM_CACHE_LIMIT} (such as {@code 4GB}), else {@link #STANDARD_LIMIT}.
-     *
-     * @throws UsageException if the variable is no size
-     */
+    /** Returns bytes: {@code SUNBEAM_CACHE_LIMIT} (such as {@code 4GB}; else {@link UsageException}) or {@link #STANDARD_LIMIT}. */
     public long limit() {
         try {
             return allowed.isEmpty() ? STANDARD_LIMIT : ByteSize.parse(allowed);

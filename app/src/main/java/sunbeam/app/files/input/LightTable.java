@@ -39,12 +39,7 @@ public final class LightTable {
 
     private LightTable() {}
 
-    /**
-     * Returns the chosen light as the chosen observer sees it.
-     *
-     * @throws InputException if a file cannot be used
-     * @throws sunbeam.precompute.setting.SettingException if the light has no power in the chosen band
-     */
+    /** Returns the light for the observer. Throws InputException for a file, SettingException for a band without power. */
     public static CieTable of(Choices choices) {
         String light = choices.get(ILLUMINANT);
         Illuminant illuminant = LightSettings.isFile(light) ? read(Path.of(light)) : Illuminant.of(light);

@@ -39,11 +39,7 @@ public final class PngText {
         }
     }
 
-    /**
-     * Returns the texts by keyword, in the file's order.
-     *
-     * @throws InputException if the file is missing, no PNG, damaged anywhere, or has a compressed text or one above 1 MiB
-     */
+    /** Returns the texts by keyword. Throws InputException for no PNG, any damage, a compressed text or one above 1 MiB. */
     public static Map<String, String> read(Path file) {
         InputException.requireRegular(file);
         return InputException.naming(file, () -> {

@@ -98,10 +98,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /**
-     * Writes the whole target through a buffered stream; returns its path as {@link #commit} does. Throws {@link OutputException} also for
-     * an {@link IOException} of the content.
-     */
+    /** Writes the target through a buffered stream; returns its path as {@link #commit} does, and throws as {@link #fill} does. */
     public static Path write(Path target, Overwrite overwrite, StreamContent content) {
         try (AtomicFile file = create(target, overwrite)) {
             file.fill(content);

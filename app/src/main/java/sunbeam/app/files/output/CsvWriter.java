@@ -30,11 +30,7 @@ public final class CsvWriter {
         return text.toString();
     }
 
-    /**
-     * Returns a table of numbers, written row by row, counted from 0.
-     *
-     * @param names at least one; letters, digits, {@code _ . -} and blanks only
-     */
+    /** Returns a table of numbers, row by row from 0. The names have letters, digits, {@code _ . -} and blanks only. */
     public static AtomicFile.StreamContent numbers(List<String> names, int rows, IntFunction<double[]> row) {
         return stream -> {
             Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.UTF_8));

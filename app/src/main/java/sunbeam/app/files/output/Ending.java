@@ -26,11 +26,7 @@ public enum Ending {
         this.endings = List.of(endings);
     }
 
-    /**
-     * Refuses an ending that does not fit the content, since other programs could not read the file. Standard output and devices need none.
-     *
-     * @param named null if the user gave none
-     */
+    /** Refuses an ending that other programs would not read as this content. A name of null, standard output and devices need none. */
     public void require(String option, Path named) {
         if (named == null
                 || named.getFileName() == null

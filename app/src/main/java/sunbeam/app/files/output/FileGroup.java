@@ -16,11 +16,7 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
         }
     }
 
-    /**
-     * Creates the group of a name that may have one of the endings.
-     *
-     * @throws UsageException for a path that names no file
-     */
+    /** Creates the group of a name, which may have one of the endings. A path that names no file is a {@link UsageException}. */
     public static FileGroup named(Path path, List<String> endings, Overwrite overwrite) {
         String name = path.getFileName() == null ? "" : path.getFileName().toString();
         if (name.isEmpty()) {
@@ -44,11 +40,7 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
         return numbered.resolveSibling(numbered.getFileName() + ending);
     }
 
-    /**
-     * Writes contents by ending, of all or some of the group's files.
-     *
-     * @throws OutputException if a file cannot be written; then none appears
-     */
+    /** Writes contents by ending, of all or some files. Throws OutputException if one cannot be written; then none appears. */
     public List<Path> write(Map<String, AtomicFile.StreamContent> contents) {
         Map<String, AtomicFile> files = new LinkedHashMap<>();
         try {

@@ -12,11 +12,7 @@ public final class LinearFile {
 
     private LinearFile() {}
 
-    /**
-     * Returns CIE XYZ for {@code .npy}, linear Rec. 709 with alpha for {@code .exr}, 32-bit floats.
-     *
-     * @param xyz {@code height x width x 3}, row 0 on top, NaN where there is no surface
-     */
+    /** Returns {@code height x width x 3} CIE XYZ, NaN without surface, for {@code .npy}; linear Rec. 709 with alpha for {@code .exr}. */
     public static AtomicFile.StreamContent of(Path file, float[] xyz, int width, int height) {
         boolean isExr = file.toString().toLowerCase(Locale.ROOT).endsWith(".exr");
         return isExr

@@ -86,10 +86,7 @@ public final class OutputFolder {
                 "cannot make the folder " + folder + " (" + reason(failure) + "); name another with --output", failure);
     }
 
-    /**
-     * Creates the folder, or the first free one of {@code folder-2} and so on if it exists and may not be used; throws {@link OutputException}
-     * if it cannot.
-     */
+    /** Creates the folder, or the first free one of {@code folder-2} and so on if it may not be used; throws {@link OutputException}. */
     public static Path claim(Path folder, boolean mayUse) {
         for (int number = 1; !mayUse && number <= MOST_NAMES; number++) {
             try {
@@ -111,11 +108,7 @@ public final class OutputFolder {
         }
     }
 
-    /**
-     * Checks that the folder exists or can probably be created, without creating it where its parent exists.
-     *
-     * @throws OutputException if the folder cannot be created
-     */
+    /** Throws {@link OutputException} if the folder cannot be created; does not create it where its parent exists. */
     public static void check(Path folder) {
         requireFolder(folder);
         Path above = folder.toAbsolutePath().getParent();

@@ -99,11 +99,7 @@ public record DiffractionSetup(
         return method.referenceMethod(patch.heights()).light(patch.heights(), cie());
     }
 
-    /**
-     * Returns shader tables, uncached, whose layers are computed when they are read.
-     *
-     * @throws SettingException if the method does not support the use
-     */
+    /** Returns uncached tables, computed when read; throws {@link SettingException} if the method does not support the use. */
     public ShaderTables freshTables(MethodPlan plan, MethodUse use) {
         requireUse(plan, use);
         return plan.tables(use, this);

@@ -117,12 +117,7 @@ public record Footprints(float[] centers, float[] axes) {
         }
     }
 
-    /**
-     * Bright footprint in a table.
-     *
-     * @param taps u, v, w of each tap
-     * @param xyz mean X, Y, Z of the taps in the table
-     */
+    /** Bright footprint in a table: u, v, w of each tap, and the mean X, Y, Z of the taps in the table. */
     record Tabulated(int level, double[][] taps, double[] xyz) {
         /** Compares with X, Y, Z of each tap without table, which begin at an index and are not yet multiplied by the level's scale. */
         Comparison compare(float[] exact, int first, double scale) {

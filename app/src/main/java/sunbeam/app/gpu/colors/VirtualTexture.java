@@ -207,11 +207,7 @@ public final class VirtualTexture implements AutoCloseable {
         scheduler.orElseThrow().whenIdle(token, task);
     }
 
-    /**
-     * Evaluates X, Y, Z of power at exactly these (u, v, w), without footprint or table. Only for tasks of {@link #whenIdle}.
-     *
-     * @throws java.util.concurrent.CancellationException soon after the token is canceled
-     */
+    /** Evaluates X, Y, Z of power at these (u, v, w), without footprint or table, in tasks of {@link #whenIdle}; can be canceled. */
     public float[] evaluatePoints(float[] places, CancellationToken token) {
         return baker.evaluate(CachedBaker.POINTS, places, token);
     }

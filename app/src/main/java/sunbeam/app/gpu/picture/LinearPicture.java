@@ -5,11 +5,7 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.DisplayTransform;
 
-/**
- * Linear CIE XYZ per pixel; NaN where there is no surface.
- *
- * @param xyz {@code height * width * 3} values, row 0 on top
- */
+/** Linear CIE XYZ per pixel: {@code height * width * 3} values, row 0 on top, NaN where there is no surface. */
 public record LinearPicture(int width, int height, float[] xyz) {
     /** Display luminance of the brighter half's mean; white is 1. Orders several times brighter are compressed. */
     public static final double EXPOSURE_TARGET = 0.42;

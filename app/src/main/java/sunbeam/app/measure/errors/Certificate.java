@@ -195,10 +195,7 @@ public record Certificate(
         }
     }
 
-    /**
-     * Compares pixels of a scene's picture with the mean of many points, only where the mesh fills the pixel: at edges the error depends on
-     * the number of samples alone.
-     */
+    /** Compares pixels that the mesh fills with the mean of many points; at edges only the number of samples decides. */
     public record SceneCertifier(int width, int height, PixelSamples samples) {
         /** Points along a pixel's side; 256 in all. */
         public static final int POINTS = 16;

@@ -40,10 +40,7 @@ public final class DirectionSampler {
         return new Query(new DirectionPair(lights.get(), hemisphere()), wavelength());
     }
 
-    /**
-     * View near an order, normally distributed by its width: a third along x, a third along y, a third anywhere; uniform if none is
-     * visible.
-     */
+    /** View near an order, normally distributed by its width: a third along x, along y, and anywhere; uniform if none is visible. */
     public Query aimed() {
         int kind = random.nextInt(3);
         for (int i = 0; i < MOST_TRIES; i++) {
