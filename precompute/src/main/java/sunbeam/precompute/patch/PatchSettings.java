@@ -6,7 +6,7 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
 import sunbeam.precompute.prepare.Leveling;
-import sunbeam.precompute.scan.ScanLimits;
+import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.TextReader;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
@@ -48,7 +48,7 @@ public final class PatchSettings {
 
     public static final Setting<Integer> COLUMNS = new Setting<>(
             "columns",
-            ValueKind.integer("N", 1, ScanLimits.LONGEST_SIDE),
+            ValueKind.integer("N", 1, Samples.LONGEST_SIDE),
             "Numbers per row of a file that does not state it.");
 
     public static final Setting<TextReader.DecimalMark> DECIMAL_MARK = new Setting<>(

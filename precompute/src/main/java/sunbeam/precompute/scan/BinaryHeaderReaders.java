@@ -101,7 +101,7 @@ final class BinaryHeaderReaders {
         boolean oneDimensional = shape.group(2) == null;
         long rowCount = oneDimensional ? 1 : Long.parseLong(shape.group(1));
         long columnCount = Long.parseLong(shape.group(oneDimensional ? 1 : 2));
-        ScanLimits.requireSize(columnCount, rowCount);
+        Samples.requireSize(columnCount, rowCount);
         int rows = (int) rowCount;
         int columns = (int) columnCount;
         ByteOrder order = type.group(1).equals(">") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
@@ -157,8 +157,8 @@ final class BinaryHeaderReaders {
         int rows = cursor.int32();
         int layers = Math.max(1, cursor.int32());
         ScanException.refuseIf(rows < 1, "holds a curve and no scan; choose the file of the image");
-        ScanLimits.requireChannels(layers);
-        ScanLimits.requireSize(columns, rows);
+        ChannelList.requireCount(layers);
+        Samples.requireSize(columns, rows);
         cursor.skip(Integer.BYTES);
         double pitchX = Math.abs(cursor.float64());
         double pitchY = Math.abs(cursor.float64());

@@ -16,6 +16,8 @@ import sunbeam.precompute.text.Similar;
 /** Channels of a file with unique labels; chooses the channel that holds the heights. */
 public record ChannelList(List<ScanChannel> channels) {
     private static final int MOST_NAMED = 12;
+    // Five times as many as any instrument records at once.
+    private static final int MOST_CHANNELS = 256;
 
     // Words in vendors' names, lower-case: of channels without heights, with heights, from position sensors.
     private static final Pattern OTHER = Pattern.compile(
@@ -29,8 +31,15 @@ public record ChannelList(List<ScanChannel> channels) {
     /** Throws ScanException if there are no channels or too many. */
     public ChannelList {
         ScanException.refuseIf(channels.isEmpty(), "holds no channel with samples on a grid; export its heights again");
-        ScanLimits.requireChannels(channels.size());
+        requireCount(channels.size());
         channels = List.copyOf(channels);
+    }
+
+    static void requireCount(long count) {
+        ScanException.refuseIf(
+                count > MOST_CHANNELS,
+                "claims " + count + " channels; at most " + MOST_CHANNELS
+                        + " are read, so export the height channel alone");
     }
 
     public int count() {

@@ -248,7 +248,7 @@ final class InstrumentReaders {
         double offset = gain * header.getDouble(236);
         boolean typed = page.number(PARK_VERSION, 0) >= FIRST_VERSION_WITH_TYPES;
         SampleType type = SampleType.of(PARK_TYPES, typed ? header.getInt(348) : 0);
-        ScanLimits.requireSize(columns, rows);
+        Samples.requireSize(columns, rows);
         int count = columns * rows;
         if ((long) count * type.size() > data.length) {
             throw new ScanException("has " + data.length + " bytes of samples where " + columns + " x " + rows

@@ -91,8 +91,8 @@ final class PictureReader {
             reader.setInput(in, true, true);
             long columns = reader.getWidth(0);
             long rows = reader.getHeight(0);
-            ScanLimits.requireSize(columns, rows);
-            ScanLimits.requireMemory(columns * rows, columns * rows * MOST_BYTES_PER_PIXEL);
+            Samples.requireSize(columns, rows);
+            Samples.requireMemory(columns * rows, columns * rows * MOST_BYTES_PER_PIXEL);
             return reader.read(0);
         } finally {
             reader.dispose();

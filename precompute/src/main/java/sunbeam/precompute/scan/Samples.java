@@ -6,9 +6,21 @@ import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.IntUnaryOperator;
 import java.util.function.UnaryOperator;
+import sunbeam.precompute.text.Text;
 
-/** Grid of samples, read when {@link #read} is called, row by row from the top of the scan, NaN for missing ones. */
+/**
+ * Grid of samples, read when {@link #read} is called, row by row from the top of the scan, NaN for missing ones. Limits are checked from a
+ * file's header before memory is taken.
+ */
 public record Samples(int columns, int rows, Source source) {
+    /** Samples: three times the longest side that the software of force microscopes writes. */
+    public static final int LONGEST_SIDE = 16_384;
+    /** 8192 x 8192, whose heights take half a gigabyte. */
+    public static final long MOST_SAMPLES = 1L << 26;
+
+    // Leveling holds two arrays of heights; gaps in the heap take up to a third more.
+    private static final int BYTES_PER_HEIGHT = 3 * Double.BYTES;
+
     @FunctionalInterface
     public interface Source {
         double[] read() throws IOException;
@@ -17,7 +29,30 @@ public record Samples(int columns, int rows, Source source) {
     /** Refuses an empty grid, or one with more samples than an array holds. */
     public Samples {
         if (columns < 1 || rows < 1 || (long) columns * rows > Integer.MAX_VALUE) {
-            ScanLimits.requireSize(columns, rows);
+            requireSize(columns, rows);
+        }
+    }
+
+    public static void requireSize(long columns, long rows) {
+        ScanException.refuseIf(
+                columns < 1 || rows < 1,
+                "claims " + columns + " x " + rows + " samples; the file is damaged, export it again");
+        ScanException.refuseIf(
+                columns > LONGEST_SIDE || rows > LONGEST_SIDE || columns * rows > MOST_SAMPLES,
+                "has " + columns + " x " + rows + " samples; at most " + LONGEST_SIDE + " per side and " + MOST_SAMPLES
+                        + " (8192 x 8192) in all can be used, so crop the scan");
+        ScanException.refuseIf(
+                columns == 1 && rows == 1, "has 1 x 1 samples, which is no surface; give at least 2 x 1 samples");
+    }
+
+    /** Refuses scans that the heap cannot hold with {@code otherBytes} while they are read and leveled. */
+    public static void requireMemory(long samples, long otherBytes) {
+        long needed = samples * BYTES_PER_HEIGHT + otherBytes;
+        long heap = Runtime.getRuntime().maxMemory();
+        if (needed > heap) {
+            throw new ScanException(Text.format(
+                    "needs %.1f GB of memory, but Java may take %.1f GB; crop the scan or start Java with a larger -Xmx",
+                    needed / 1e9, heap / 1e9));
         }
     }
 
@@ -76,8 +111,8 @@ public record Samples(int columns, int rows, Source source) {
 
     /** Throws ScanException if there are too many, or fewer than announced. */
     public double[] read() throws IOException {
-        ScanLimits.requireSize(columns, rows);
-        ScanLimits.requireMemory(count(), 0);
+        requireSize(columns, rows);
+        requireMemory(count(), 0);
         double[] samples = source.read();
         if (samples.length != count()) {
             throw new ScanException("has " + samples.length + " samples where " + columns + " x " + rows

@@ -68,8 +68,7 @@ final class SurfaceDataReaders {
         Samples samples = new Samples(columns, rows, () -> {
             int count = Math.multiplyExact(columns, rows);
             Reader numbers = new InputStreamReader(file.stream(head.length() + 1L), StandardCharsets.ISO_8859_1);
-            return TextNumbers.read(new BufferedReader(numbers), false, line, count)
-                    .first(count);
+            return new TextNumbers(new BufferedReader(numbers), false, line, count).first(count);
         });
         return channel(samples, values.number("Xscale"), values.number("Yscale"), values.number("Zscale"));
     }
@@ -130,7 +129,7 @@ final class SurfaceDataReaders {
                     main.number("MatrixDimension/SizeZ", 1) != 1, "holds several layers; export one of them");
             int columns = main.count("MatrixDimension/SizeX");
             int rows = main.count("MatrixDimension/SizeY");
-            ScanLimits.requireSize(columns, rows);
+            Samples.requireSize(columns, rows);
             SampleType type = SampleType.of(X3P_TYPES, main.text("CZ/DataType", "D"));
             String points = main.find("DataLink/PointDataLink")
                     .orElseThrow(() -> new ScanException("has its samples in main.xml; export them as binary data"));

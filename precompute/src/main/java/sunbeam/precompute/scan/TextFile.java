@@ -8,6 +8,7 @@ import java.nio.CharBuffer;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -63,19 +64,13 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     }
 
     private static boolean areNumbers(String line, String separators) {
-        StringTokenizer words = new StringTokenizer(line, separators);
-        boolean some = words.hasMoreTokens();
-        while (words.hasMoreTokens()) {
-            if (!NUMBER.matcher(words.nextToken()).matches()) {
-                return false;
-            }
-        }
-        return some;
+        List<Object> words = Collections.list(new StringTokenizer(line, separators));
+        return !words.isEmpty()
+                && words.stream().allMatch(word -> NUMBER.matcher((String) word).matches());
     }
 
     private static Charset charset(byte[] head) {
-        boolean utf16 = head.length > 1 && (head[0] & 0xff) + (head[1] & 0xff) == 0xff + 0xfe;
-        if (utf16) {
+        if (head.length > 1 && (head[0] & 0xff) + (head[1] & 0xff) == 0xff + 0xfe) {
             return head[0] == (byte) 0xff ? StandardCharsets.UTF_16LE : StandardCharsets.UTF_16BE;
         }
         // The first bytes may end within a character.
@@ -109,12 +104,12 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 "has commas and points in a line, as thousands separators are; export it without them, or choose the"
                         + " decimal mark (--decimal-mark point: commas separate numbers)");
         // A single line, which is held as text, may contain all numbers.
-        ScanLimits.requireMemory(0, file.size());
+        Samples.requireMemory(0, file.size());
         BufferedReader reader = new BufferedReader(new InputStreamReader(file.stream(0), charset));
         for (int line = 0; line < header.size(); line++) {
             reader.readLine();
         }
-        return TextNumbers.read(reader, decimalComma, header.size() + 1L, Long.MAX_VALUE);
+        return new TextNumbers(reader, decimalComma, header.size() + 1L, Long.MAX_VALUE);
     }
 
     /** Number that stands for a missing sample; NaN if none does. */

@@ -41,24 +41,24 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
         TextFile.Facts facts = TextFile.Facts.of(text.header());
         TextNumbers numbers = text.numbers();
         boolean matrix = facts.extent().width().isPresent() || facts.columns().isPresent();
-        boolean three = numbers.columns() == POINT && numbers.isRectangular() && numbers.rows() > POINT;
+        boolean three = numbers.columns == POINT && numbers.ragged.isEmpty() && numbers.rows > POINT;
         Optional<ScanChannel> points = three && !matrix ? points(text, numbers) : Optional.empty();
         return List.of(points.orElseGet(() -> matrix(facts, numbers, text.missing())));
     }
 
     private static ScanChannel matrix(TextFile.Facts facts, TextNumbers numbers, double missing) {
-        if (facts.columns().isEmpty()) {
-            numbers.requireRectangular();
-        }
-        int columns = facts.columns().orElse(numbers.columns());
+        ScanException.refuseIf(
+                facts.columns().isEmpty() && !numbers.ragged.isEmpty(),
+                "has " + numbers.ragged + ", but " + numbers.columns + " in its first row; export it again");
+        int columns = facts.columns().orElse(numbers.columns);
         boolean announced = facts.columns().isPresent() && facts.rows().isPresent();
-        int rows = announced ? facts.rows().get() : numbers.count() / columns;
-        if ((long) columns * rows != numbers.count()) {
-            throw new ScanException("has " + numbers.count() + " numbers where its header announces " + columns + " x "
-                    + rows + "; export it again");
-        }
+        int rows = announced ? facts.rows().get() : numbers.count / columns;
+        ScanException.refuseIf(
+                (long) columns * rows != numbers.count,
+                "has " + numbers.count + " numbers where its header announces " + columns + " x " + rows
+                        + "; export it again");
         Samples samples = new Samples(columns, rows, () -> {
-            double[] heights = numbers.first(numbers.count());
+            double[] heights = numbers.first(numbers.count);
             refuseCoordinates(heights, columns, rows);
             return heights;
         });
@@ -98,27 +98,24 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
     private static Optional<ScanChannel> points(TextFile text, TextNumbers numbers) {
         Optional<PointGrid> found = PointGrid.of(numbers.column(0), numbers.column(1), numbers.column(2));
         ScanException.refuseIf(
-                found.isEmpty() && numbers.rows() >= SURELY_POINTS,
+                found.isEmpty() && numbers.rows >= SURELY_POINTS,
                 "has three numbers a line whose first two are no points of a grid; interpolate the points in Gwyddion and"
                         + " export a matrix or .gwy");
         return found.map(grid -> points(text, grid));
     }
 
     private static ScanChannel points(TextFile text, PointGrid grid) {
-        Optional<Matcher> axes = text.header().stream()
+        // Units of x, y and z.
+        String[] units = text.header().stream()
                 .map(AXES::matcher)
                 .filter(Matcher::matches)
-                .findFirst();
-        String unitX = axes.map(matcher -> matcher.group(1)).orElse("");
-        double metersX = Extent.metersPer(unitX).orElse(1.0);
-        double metersY =
-                axes.flatMap(matcher -> Extent.metersPer(matcher.group(2))).orElse(1.0);
-        Samples samples = new Samples(
-                grid.axisX().count(), grid.axisY().count(), () -> grid.heights().clone());
-        Extent extent =
-                Extent.ofPitches(grid.axisX().pitch(), grid.axisY().pitch() * metersY / metersX, unitX, samples);
-        return new ScanChannel(
-                "z", samples, extent, axes.map(matcher -> matcher.group(3)).orElse(""));
+                .findFirst()
+                .map(axes -> new String[] {axes.group(1), axes.group(2), axes.group(3)})
+                .orElse(new String[] {"", "", ""});
+        double metersX = Extent.metersPer(units[0]).orElse(1.0);
+        double pitchY = grid.axisY.pitch * Extent.metersPer(units[1]).orElse(1.0) / metersX;
+        Samples samples = new Samples(grid.axisX.count, grid.axisY.count, grid.heights::clone);
+        return new ScanChannel("z", samples, Extent.ofPitches(grid.axisX.pitch, pitchY, units[0], samples), units[2]);
     }
 
     /** Grid of points x y z, listed in any order: heights row by row from the largest y, NaN without a point. */
@@ -189,7 +186,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
                 Pattern.compile("(?i)[-+]?(nan|nan\\(ind\\)|inf|infinity)|bad|---?|#?n/a");
         private static final int FIRST_CAPACITY = 1 << 12;
         // Three for each point of the largest grid.
-        private static final long MOST = 3 * ScanLimits.MOST_SAMPLES;
+        private static final long MOST = 3 * Samples.MOST_SAMPLES;
         private static final int LONGEST_WORD = 100;
 
         private static final String BLANKS = " \t\"\f\ufeff";
@@ -201,19 +198,13 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
         private int rows;
         private String ragged = "";
 
-        private TextNumbers(boolean decimalComma) {
-            this.decimalComma = decimalComma;
-        }
-
         /** Reads numbers; throws ScanException if there are too many, or a word that is no number. */
-        public static TextNumbers read(BufferedReader in, boolean decimalComma, long line, long most)
-                throws IOException {
-            TextNumbers numbers = new TextNumbers(decimalComma);
+        TextNumbers(BufferedReader in, boolean decimalComma, long line, long most) throws IOException {
+            this.decimalComma = decimalComma;
             long number = line;
-            for (String text = in.readLine(); text != null && numbers.count < most; text = in.readLine()) {
-                numbers.add(text, number++);
+            for (String text = in.readLine(); text != null && count < most; text = in.readLine()) {
+                add(text, number++);
             }
-            return numbers;
         }
 
         private void add(String text, long line) {
@@ -266,34 +257,13 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
             if (count == values.length) {
                 ScanException.refuseIf(
                         count >= MOST, "has more than " + MOST + " numbers, more than can be used; crop the scan");
-                ScanLimits.requireMemory(2L * count, 0);
+                Samples.requireMemory(2L * count, 0);
                 values = Arrays.copyOf(values, (int) Math.min(MOST, 2L * count));
             }
             values[count++] = value;
         }
 
-        int count() {
-            return count;
-        }
-
-        int columns() {
-            return columns;
-        }
-
-        int rows() {
-            return rows;
-        }
-
-        boolean isRectangular() {
-            return ragged.isEmpty();
-        }
-
-        void requireRectangular() {
-            ScanException.refuseIf(
-                    !isRectangular(), "has " + ragged + ", but " + columns + " in its first row; export it again");
-        }
-
-        public double[] first(int wanted) {
+        double[] first(int wanted) {
             ScanException.refuseIf(
                     wanted > count,
                     "has " + count + " numbers where its header announces " + wanted + "; copy or export it again");

@@ -48,7 +48,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         List<TiffPage> pages = new ArrayList<>();
         try (ImageInputStream in = new BoundedInput(file.path().toFile())) {
             CompoundDirectory all = (CompoundDirectory) new TIFFReader().read(in);
-            ScanLimits.requireChannels(all.directoryCount());
+            ChannelList.requireCount(all.directoryCount());
             for (int i = 0; i < all.directoryCount(); i++) {
                 pages.add(new TiffPage(file, i, all.getDirectory(i)));
             }
@@ -150,7 +150,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     }
 
     private void requireReadable() {
-        ScanLimits.requireSize(columns(), rows());
+        Samples.requireSize(columns(), rows());
         int compression = (int) number(TIFF.TAG_COMPRESSION, UNCOMPRESSED);
         if (compression == 6 || compression == 7) {
             throw new ScanException("has JPEG compression, which changes heights; save it with LZW, ZIP or none");
@@ -176,12 +176,12 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         ScanException.refuseIf(
                 bands() < 1 || bands() > MAX_BANDS, "has " + bands() + " channels; save it as gray or RGB");
         double tile = number(TIFF.TAG_TILE_WIDTH, 0) * number(TIFF.TAG_TILE_HEIGTH, 0);
-        if (tile > ScanLimits.MOST_SAMPLES) {
+        if (tile > Samples.MOST_SAMPLES) {
             throw new ScanException(Text.format("is a TIFF with tiles of %.0f samples; save it in strips", tile));
         }
         requireComplete(compression);
         long count = (long) columns() * rows();
-        ScanLimits.requireMemory(count, count * bands() * Math.max(bits(), 32) / 8);
+        Samples.requireMemory(count, count * bands() * Math.max(bits(), 32) / 8);
     }
 
     private void requireComplete(int compression) {

@@ -21,8 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanException;
-import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.setting.SettingException;
 
 /** Images as files of heights: which samples are read, which mark a missing one, which channel they come from, and what is refused. */
@@ -152,7 +152,7 @@ class ImageHeightsTest {
 
     @Test
     void refusesAnImageThatTheHeapCannotHold() {
-        assertThatThrownBy(() -> ScanLimits.requireMemory(1L << 26, 1L << 40))
+        assertThatThrownBy(() -> Samples.requireMemory(1L << 26, 1L << 40))
                 .isInstanceOf(ScanException.class)
                 .hasMessageContainingAll("needs 1101.1 GB", "-Xmx");
     }
