@@ -112,7 +112,7 @@ public final class EvaluateCommand extends FileCommand {
         GaussianArea area = GaussianArea.of(choices);
 
         GratingPeriod period = period(patch);
-        out.println(Verdict.of(patch, period).sentence());
+        out.println(Verdict.of(patch, period, 0).sentence());
         FirstOrder order = order(patch, period);
         ResponseGrid grid = grating.grid(plane(patch, period), order, area.window());
         DiffractionSetup setup =

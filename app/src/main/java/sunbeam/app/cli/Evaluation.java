@@ -96,7 +96,7 @@ record Evaluation(
     }
 
     Verdict verdict() {
-        return Verdict.of(patch, period);
+        return Verdict.of(patch, period, 0);
     }
 
     String light() {

@@ -14,9 +14,9 @@ import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.PatchOptions.IndexOption;
 import sunbeam.app.cli.OrderTable.Incidence;
 import sunbeam.app.cli.OrderTable.Series;
+import sunbeam.app.cli.PatchOptions.IndexOption;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.plot.Plot;
@@ -117,7 +117,7 @@ public final class OrdersCommand extends FileCommand {
         GratingPeriod period = GratingPeriod.of(patch);
         if (!period.isSeen()) {
             throw new InputException(patch.name() + ": no orders without a period: "
-                    + Verdict.of(patch, period).sentence());
+                    + Verdict.of(patch, period, 0).sentence());
         }
         OrderTable table = table(patch, period, choices, material, cie);
         table.lines().forEach(json.text(out())::println);

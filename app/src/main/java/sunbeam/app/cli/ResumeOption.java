@@ -61,7 +61,7 @@ public final class ResumeOption {
     /** Returns a SHA-256 hash, in hexadecimal, of everything that determines the output. */
     public String identity(List<Patch> patches) {
         List<String> words = new ArrayList<>(List.of(command.qualifiedName()));
-        patches.forEach(patch -> words.add("|" + patch.digest()));
+        patches.forEach(patch -> words.add("|" + patch.heights().digest()));
         for (OptionSpec option : command.options()) {
             boolean isDefault = option.originalStringValues().isEmpty() && option.defaultValue() != null;
             (isDefault ? List.of(option.defaultValue()) : option.originalStringValues())

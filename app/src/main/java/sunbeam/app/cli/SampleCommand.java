@@ -195,7 +195,7 @@ public final class SampleCommand extends FileCommand {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("program", "sunbeam " + Environment.version());
         fields.put("patch", setup.patch().name());
-        fields.put("patch_sha256", setup.patch().digest());
+        fields.put("patch_sha256", setup.patch().heights().digest());
         fields.put("plan", plan.plan().summary());
         fields.put("tolerance", method.tolerance());
         fields.put("average", "ensemble: mean over all positions of the coherence window");

@@ -47,7 +47,7 @@ public final class FrameText {
         inputs = String.join(
                 "|",
                 Environment.version(),
-                joined(data -> data.patch().digest()),
+                joined(data -> data.patch().heights().digest()),
                 joined(data -> data.reflectanceComponent()
                         .map(ReflectanceComponent::digest)
                         .orElse("")),

@@ -123,17 +123,13 @@ public record GratingPeriod(
                     "a side of %s, less than the %s of three periods with colors from above",
                     Lengths.rounded(side, 3), Lengths.format(SHORTEST_SIDE)));
         }
-        boolean isPiece =
-                piece.isSure() || (piece.isSeen() && exact.filter(piece::agrees).isEmpty());
+        boolean agree = exact.isPresent() && Math.abs(exact.get().period() / piece.period() - 1) < ALIKE;
+        boolean isPiece = piece.isSure() || (piece.isSeen() && !agree);
         return small && !isPiece ? exact.orElse(piece) : piece;
     }
 
     static double student(int degreesOfFreedom) {
         return new TDistribution(degreesOfFreedom).inverseCumulativeProbability(0.5 + 0.5 * PROBABILITY);
-    }
-
-    private boolean agrees(GratingPeriod other) {
-        return Math.abs(other.period() / period() - 1) < ALIKE;
     }
 
     /** Patterns in unmeasured rows are not the surface's. */

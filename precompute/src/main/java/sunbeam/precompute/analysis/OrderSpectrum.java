@@ -62,7 +62,7 @@ public final class OrderSpectrum {
         height = map.height();
         bandX = visibleBins(map.columns(), width);
         bandY = visibleBins(map.rows(), height);
-        HeightLevels levels = HeightLevels.of(map);
+        HeightLevels levels = new HeightLevels(map);
         scale = HeightScale.midRange(levels);
         Expansion expansion = LowRankExpansion.of(
                 levels, scale, 0, scale.phase(CieTable.MINIMUM_WAVELENGTH, LARGEST_W), TOLERANCE, Integer.MAX_VALUE);

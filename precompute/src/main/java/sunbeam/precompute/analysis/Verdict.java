@@ -44,10 +44,6 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     // Sine of 4 degrees: a scanner's axes differ in scale and angle.
     private static final double SLANT = 0.07;
 
-    public static Verdict of(Patch patch, GratingPeriod period) {
-        return of(patch, period, 0);
-    }
-
     /** Light at theta degrees in the plane across the lines: "A grating ...: first-order colors at -9 to 11 degrees ...". */
     public static Verdict of(Patch patch, GratingPeriod period, double theta) {
         if (patch.isMirror()) {

@@ -14,11 +14,11 @@ import sunbeam.precompute.setting.SettingException;
  */
 public record Surface(HeightLevels levels, String name, String digest, CieTable cie, Roughness.Cache statistics) {
     public Surface(HeightMap map, String name, String digest, CieTable cie) {
-        this(HeightLevels.of(map), name, digest, cie, Roughness.Cache.NONE);
+        this(new HeightLevels(map), name, digest, cie, Roughness.Cache.NONE);
     }
 
     public static Surface of(Patch patch) {
-        return new Surface(patch.heights(), patch.name(), patch.digest(), CieTable.load());
+        return new Surface(patch.heights(), patch.name(), patch.heights().digest(), CieTable.load());
     }
 
     /** Returns the surface of a patch for plans only: without the slow digest of all heights. */

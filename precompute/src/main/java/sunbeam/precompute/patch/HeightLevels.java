@@ -35,26 +35,18 @@ public final class HeightLevels {
         }
     }
 
-    private HeightLevels(HeightMap map) {
-        this.map = map;
-    }
-
     /** Throws IllegalArgumentException if a sample is missing. */
-    public static HeightLevels of(HeightMap map) {
+    public HeightLevels(HeightMap map) {
         if (!map.isComplete()) {
             throw new IllegalArgumentException("missing samples must be filled first");
         }
-        return new HeightLevels(map);
-    }
-
-    /** Replaces -0 by 0; sorting and searching distinguish them. */
-    private double[] heights() {
-        return map.map(height -> height + 0.0).heights();
+        this.map = map;
     }
 
     private synchronized Distinct distinct() {
         if (distinct == null) {
-            distinct = Distinct.of(heights());
+            // Replaces -0 by 0; sorting and searching distinguish them.
+            distinct = Distinct.of(map.map(height -> height + 0.0).heights());
         }
         return distinct;
     }

@@ -76,8 +76,4 @@ public record Patch(
     public boolean isMirror() {
         return Plausibility.mirror(scan).isPresent();
     }
-
-    public String digest() {
-        return heights.digest();
-    }
 }

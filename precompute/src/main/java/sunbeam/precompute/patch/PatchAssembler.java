@@ -62,12 +62,13 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         List<ScanFault> faults = repetition == Patch.Repetition.PERIODIC
                 ? List.of()
                 : faults(measured, preparation.leveling(), samples.area(measured));
-        List<String> warnings = new ArrayList<>();
-        if (kind != Kind.BUILT_IN) {
-            warnings.addAll(Plausibility.oddities(measured));
-        }
+        List<String> warnings = kind == Kind.BUILT_IN ? new ArrayList<>() : Plausibility.oddities(measured);
         faults.forEach(fault -> warnings.add(fault.line()));
-        warnings.addAll(warnings(preparation, prepared));
+        if (prepared.missing() > 0) {
+            warnings.add(prepared.missing() + " of " + scan.heights().length
+                    + " samples are missing and were filled from their neighbors");
+        }
+        spikes(scan, preparation).ifPresent(warnings::add);
         repetitionWarning(measured, scan, preparation, repetition).ifPresent(warnings::add);
         Plausibility.mirror(scan).ifPresent(warnings::add);
         Plausibility.pitch(surface).ifPresent(warnings::add);
@@ -127,21 +128,14 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 .orElse("");
     }
 
-    private List<String> warnings(Preparation preparation, Preparation.Prepared prepared) {
-        List<String> warnings = new ArrayList<>();
-        if (prepared.missing() > 0) {
-            warnings.add(prepared.missing() + " of " + prepared.scan().heights().length
-                    + " samples are missing and were filled from their neighbors");
-        }
-        if (kind != Kind.BUILT_IN && !preparation.despike()) {
-            Spikes.conspicuous(prepared.scan())
-                    .map(spikes -> spikes.count() + " samples are spikes, up to "
-                            + Lengths.rounded(spikes.largest(), 3)
-                            + " from their surroundings, as dust is, and make most of the relief; remove them ("
-                            + named(DESPIKE) + ")")
-                    .ifPresent(warnings::add);
-        }
-        return warnings;
+    private Optional<String> spikes(HeightMap scan, Preparation preparation) {
+        return kind == Kind.BUILT_IN || preparation.despike()
+                ? Optional.empty()
+                : Spikes.conspicuous(scan)
+                        .map(spikes -> spikes.count() + " samples are spikes, up to "
+                                + Lengths.rounded(spikes.largest(), 3)
+                                + " from their surroundings, as dust is, and make most of the relief; remove them ("
+                                + named(DESPIKE) + ")");
     }
 
     private Optional<String> repetitionWarning(

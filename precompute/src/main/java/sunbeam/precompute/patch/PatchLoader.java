@@ -88,11 +88,11 @@ public final class PatchLoader {
     private static Patch fromBuiltIn(String name, PatchRequest request, HeightCache cache) {
         String what = "the built-in patch " + name;
         // Only heights with the default leveling are cached.
-        HeightMap map = request.find(PatchSettings.LEVEL).isPresent()
+        HeightMap map = request.choices().has(PatchSettings.LEVEL)
                 ? BuiltInPatches.generate(name)
                 : cache.get(name, () -> Leveling.MEAN.apply(BuiltInPatches.generate(name)));
         requireNoScale(request, what);
-        if (request.find(CHANNEL).isPresent()) {
+        if (request.choices().has(CHANNEL)) {
             throw new SettingException(CHANNEL, "contradicts " + what + ", which is no scan or image; leave it out");
         }
         String source = "built-in " + name + ", " + map.describe();
@@ -105,8 +105,8 @@ public final class PatchLoader {
         requireNoScale(request, what);
         Choices described = descriptor.choices();
         for (Setting<?> setting : PatchSettings.OF_FILES) {
-            boolean both = request.find(setting).isPresent() && described.has(setting);
-            if (both && !request.find(setting).equals(described.find(setting))) {
+            boolean both = request.choices().has(setting) && described.has(setting);
+            if (both && !request.choices().find(setting).equals(described.find(setting))) {
                 throw new SettingException(
                         setting,
                         "contradicts " + what + ", which says " + described.written(setting)
@@ -119,7 +119,7 @@ public final class PatchLoader {
 
     private static void requireNoScale(PatchRequest request, String what) {
         for (Setting<?> setting : PatchSettings.SCALE) {
-            if (request.find(setting).isPresent()) {
+            if (request.choices().has(setting)) {
                 throw new SettingException(
                         setting, "contradicts " + what + ", which has its own scale; leave it out, or name an image");
             }
@@ -195,10 +195,6 @@ public final class PatchLoader {
 
         public String patch() {
             return choices.get(PatchSettings.PATCH);
-        }
-
-        public <T> Optional<T> find(Setting<T> setting) {
-            return choices.find(setting);
         }
 
         public boolean isNameOnly() {

@@ -94,7 +94,7 @@ public final class Plausibility {
             warnings.add("the relief of " + Lengths.format(map.relief()) + " is larger than the patch ("
                     + Lengths.format(side) + "): is the unit of the heights right?");
         }
-        heightStep(smallestStep(map)).ifPresent(warnings::add);
+        coarseHeights(map).ifPresent(warnings::add);
         repeatedOutlier(map).ifPresent(warnings::add);
         return warnings;
     }
@@ -116,8 +116,8 @@ public final class Plausibility {
         return Optional.empty();
     }
 
-    /** Returns the smallest step between some heights in meters; 0 unless they seem to be integers. */
-    private static double smallestStep(HeightMap map) {
+    /** Warns of the smallest step between some heights if they seem to be integers. */
+    private static Optional<String> coarseHeights(HeightMap map) {
         int stride = Math.max(1, map.heights().length / MOST_EXAMINED);
         double[] sorted = IntStream.range(0, map.heights().length / stride)
                 .mapToDouble(i -> map.heights()[i * stride])
@@ -126,12 +126,18 @@ public final class Plausibility {
                 .toArray();
         double[] distinct = Arrays.stream(sorted).distinct().toArray();
         if (distinct.length < FEWEST_LEVELS || sorted.length < RECURRING * distinct.length) {
-            return 0;
+            return Optional.empty();
         }
-        return IntStream.range(1, distinct.length)
+        double step = IntStream.range(1, distinct.length)
                 .mapToDouble(i -> distinct[i] - distinct[i - 1])
                 .min()
                 .orElseThrow();
+        double phase = 2 * 2 * Math.PI / SHORTEST_WAVELENGTH * step;
+        return step <= COARSEST_STEP
+                ? Optional.empty()
+                : Optional.of("heights are coarse: one gray level is " + Lengths.format(step)
+                        + ", which scatters about " + Decimals.rounded(100 * Math.min(1, phase * phase / 12), 2)
+                        + " % of the light at random; use a 16-bit or float image");
     }
 
     static Optional<String> mirror(HeightMap map) {
@@ -163,15 +169,5 @@ public final class Plausibility {
                 + " sees structure down to " + Lengths.format(COARSEST_PITCH) + ", and lines closer than "
                 + Lengths.rounded(2 * coarsest, 3) + " show as lines farther apart; use a finer scan or expect wrong"
                 + " colors far from the specular direction, and false periods");
-    }
-
-    private static Optional<String> heightStep(double step) {
-        if (step <= COARSEST_STEP) {
-            return Optional.empty();
-        }
-        double phase = 2 * 2 * Math.PI / SHORTEST_WAVELENGTH * step;
-        return Optional.of("heights are coarse: one gray level is " + Lengths.format(step) + ", which scatters about "
-                + Decimals.rounded(100 * Math.min(1, phase * phase / 12), 2)
-                + " % of the light at random; use a 16-bit or float image");
     }
 }

@@ -64,25 +64,21 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
                 throw new IllegalArgumentException("all " + map.heights().length + " samples are missing");
             }
             MissingHeights filling = new MissingHeights(map, map.heights().clone());
-            filling.fillRings();
-            return map.with(filling.heights);
-        }
-
-        private void fillRings() {
-            int[] ring = IntStream.range(0, heights.length)
-                    .filter(i -> !Double.isFinite(heights[i]) && neighbors(i, true).length > 0)
+            int[] ring = IntStream.range(0, filling.heights.length)
+                    .filter(i -> !Double.isFinite(filling.heights[i]) && filling.neighbors(i, true).length > 0)
                     .toArray();
             while (ring.length > 0) {
                 double[] averages =
-                        Arrays.stream(ring).mapToDouble(this::averageOfKnown).toArray();
+                        Arrays.stream(ring).mapToDouble(filling::averageOfKnown).toArray();
                 for (int i = 0; i < ring.length; i++) {
-                    heights[ring[i]] = averages[i];
+                    filling.heights[ring[i]] = averages[i];
                 }
                 ring = Arrays.stream(ring)
-                        .flatMap(i -> Arrays.stream(neighbors(i, false)))
+                        .flatMap(i -> Arrays.stream(filling.neighbors(i, false)))
                         .distinct()
                         .toArray();
             }
+            return map.with(filling.heights);
         }
 
         private double averageOfKnown(int index) {

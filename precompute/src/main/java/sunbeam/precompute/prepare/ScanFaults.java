@@ -41,8 +41,6 @@ public final class ScanFaults {
     // Correlation of offsets farther apart: near 1 for a grating. Three standard deviations of chance for 75 rows.
     private static final double LARGEST_BEYOND = 0.35;
 
-    private final HeightMap whole;
-    private final Crop.Samples place;
     private final List<Offset> offsets;
     private final double spread;
     private final double medianOffset;
@@ -50,9 +48,7 @@ public final class ScanFaults {
 
     private record Offset(int row, double median, double mean, double spread) {}
 
-    private ScanFaults(HeightMap whole, Crop.Samples place, HeightMap scan, MeasuredRows measured) {
-        this.whole = whole;
-        this.place = place;
+    private ScanFaults(HeightMap scan, MeasuredRows measured) {
         this.offsets = IntStream.range(0, scan.rows())
                 .parallel()
                 .filter(measured::isPair)
@@ -78,7 +74,7 @@ public final class ScanFaults {
         MeasuredRows measured = new MeasuredRows(scan);
         List<ScanFault> faults = new ArrayList<>();
         measured.fault(whole, place).ifPresent(faults::add);
-        faults.addAll(new ScanFaults(whole, place, scan, measured).offsetFaults());
+        faults.addAll(new ScanFaults(scan, measured).offsetFaults(whole, place));
         return faults;
     }
 
@@ -101,7 +97,7 @@ public final class ScanFaults {
         return StatUtils.percentile(values.toArray(), 50);
     }
 
-    private List<ScanFault> offsetFaults() {
+    private List<ScanFault> offsetFaults(HeightMap whole, Crop.Samples place) {
         if (offsets.size() < FEWEST_ROWS || !(spread > 0)) {
             return List.of();
         }

@@ -9,7 +9,7 @@ import sunbeam.precompute.patch.HeightLevels;
 record SurfaceSums(HeightLevels heights, boolean isTabulated) {
     /** Decides once whether to tabulate p: that takes as long as a sum over a small map. */
     static SurfaceSums of(HeightMap map) {
-        HeightLevels heights = HeightLevels.of(map);
+        HeightLevels heights = new HeightLevels(map);
         return new SurfaceSums(heights, !heights.areTooManyToTabulate());
     }
 

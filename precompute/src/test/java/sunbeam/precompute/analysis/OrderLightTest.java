@@ -131,7 +131,7 @@ class OrderLightTest {
         // Rounding errors beyond the horizon.
         assertThat(light.between()).isLessThan(1e-20);
         Patch patch = new Patch("p", map, "p", List.of());
-        assertThat(Verdict.of(patch, GratingPeriod.of(patch)).sentence())
+        assertThat(Verdict.of(patch, GratingPeriod.of(patch), 0).sentence())
                 .startsWith("A hexagonal lattice with a constant of 2.00 um");
     }
 

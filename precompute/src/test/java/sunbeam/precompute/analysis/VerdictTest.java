@@ -253,7 +253,7 @@ class VerdictTest {
         for (long seed = 0; seed < 12; seed++) {
             HeightMap map = PeriodlessSurface.CORRELATED.draw(seed);
             Patch patch = scan(map, repetition);
-            Verdict.Code code = Verdict.of(patch, GratingPeriod.of(patch)).code();
+            Verdict.Code code = Verdict.of(patch, GratingPeriod.of(patch), 0).code();
             assertThat(code).isIn(Verdict.Code.NONE, Verdict.Code.PROBABLE_GRATING);
             probable += code == Verdict.Code.NONE ? 0 : 1;
         }

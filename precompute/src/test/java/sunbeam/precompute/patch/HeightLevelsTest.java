@@ -15,7 +15,7 @@ class HeightLevelsTest {
     private static HeightLevels assertSortedDistinctAndIndexed(IntToDoubleFunction heights) {
         double[] samples = new double[SIDE * SIDE];
         Arrays.setAll(samples, heights);
-        HeightLevels levels = HeightLevels.of(new HeightMap(SIDE, SIDE, 1e-8, 1e-8, samples));
+        HeightLevels levels = new HeightLevels(new HeightMap(SIDE, SIDE, 1e-8, 1e-8, samples));
 
         assertThat(levels.levels())
                 .containsExactly(Arrays.stream(samples)
@@ -58,12 +58,11 @@ class HeightLevelsTest {
         double[] samples = new double[side * side];
         for (int levels : new int[] {1, 2, 256, 4096, 10_000}) {
             Arrays.setAll(samples, i -> 1e-9 * random.nextInt(levels));
-            HeightLevels few = HeightLevels.of(new HeightMap(side, side, 1e-8, 1e-8, samples.clone()));
+            HeightLevels few = new HeightLevels(new HeightMap(side, side, 1e-8, 1e-8, samples.clone()));
             assertThat(few.areTooManyToTabulate()).as("%d levels", levels).isFalse();
         }
         Arrays.setAll(samples, i -> random.nextGaussian());
-        assertThat(HeightLevels.of(new HeightMap(side, side, 1e-8, 1e-8, samples))
-                        .areTooManyToTabulate())
+        assertThat(new HeightLevels(new HeightMap(side, side, 1e-8, 1e-8, samples)).areTooManyToTabulate())
                 .isTrue();
     }
 }

@@ -65,7 +65,6 @@ class PatchLoaderTest {
         assertThat(patch.warnings()).isEmpty();
         // Rounding of the mean.
         assertThat(patch.heights().maximum() + patch.heights().minimum()).isBetween(-1e-20, 1e-20);
-        assertThat(patch.digest()).isEqualTo(patch.heights().digest());
     }
 
     @Test
@@ -92,7 +91,7 @@ class PatchLoaderTest {
         Patch asked = PatchRequests.load(
                 PatchRequests.of(ramp(), WIDTH, "12.8um", MAX_HEIGHT, "255nm").raw(true));
 
-        assertThat(described.digest()).isEqualTo(asked.digest());
+        assertThat(described.heights().digest()).isEqualTo(asked.heights().digest());
     }
 
     @ParameterizedTest

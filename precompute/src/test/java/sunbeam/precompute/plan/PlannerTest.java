@@ -161,7 +161,7 @@ class PlannerTest {
     }
 
     private static Planner planner(HeightMap map, long heap) {
-        return new Planner(HeightLevels.of(map), CIE, heap, Sampling.MOST_LOOP_STEPS, Roughness.Cache.NONE);
+        return new Planner(new HeightLevels(map), CIE, heap, Sampling.MOST_LOOP_STEPS, Roughness.Cache.NONE);
     }
 
     @Test
@@ -270,7 +270,7 @@ class PlannerTest {
     }
 
     private static ShaderTables tables(SpectrumPlan plan, MethodUse use) {
-        FourierTable table = plan.fourierTable(HeightLevels.of(SKIN), done -> {});
+        FourierTable table = plan.fourierTable(new HeightLevels(SKIN), done -> {});
         return plan.tables(table, use, CIE);
     }
 

@@ -49,7 +49,7 @@ class ExpansionTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("surfaces")
     void theStatedErrorIsThatOfTheHeightsThemselves(String name, HeightMap map) {
-        HeightLevels heights = HeightLevels.of(map);
+        HeightLevels heights = new HeightLevels(map);
         HeightScale scale = HeightScale.midRange(heights);
         double maximum = scale.phase(SHORTEST_WAVELENGTH, 2);
         for (double tolerance : new double[] {1e-3, 1e-6}) {
@@ -93,7 +93,7 @@ class ExpansionTest {
     @Test
     void parabolasThroughThreeSamplesErrByLessThanFloat32RoundsThePhase() {
         HeightLevels heights =
-                HeightLevels.of(Surfaces.of(SIDE, SIDE, 2e-6, (x, y) -> 20e-6 * Math.floor(x / 16.5e-6)));
+                new HeightLevels(Surfaces.of(SIDE, SIDE, 2e-6, (x, y) -> 20e-6 * Math.floor(x / 16.5e-6)));
         HeightScale scale = HeightScale.midRange(heights);
         Expansion expansion =
                 LowRankExpansion.of(heights, scale, 0, scale.phase(SHORTEST_WAVELENGTH, 2), 1e-6, Integer.MAX_VALUE);

@@ -37,7 +37,7 @@ class FourierTableTest {
     void everyTermIsTheDftOfItsPolynomial(int columns, int rows, int terms, double step) {
         HeightMap random = Surfaces.random(columns, rows, 40e-9, 300e-9, columns);
         HeightMap map = step == 0 ? random : random.map(height -> step * Math.rint(height / step));
-        HeightLevels heights = HeightLevels.of(map);
+        HeightLevels heights = new HeightLevels(map);
         // Functions of the height are evaluated at samples or at levels.
         assertThat(heights.areTooManyToTabulate()).isEqualTo(step == 0);
         TaylorExpansion expansion = new TaylorExpansion(HeightScale.mean(heights), terms, 5);
@@ -77,7 +77,7 @@ class FourierTableTest {
     @CsvSource({"1, true", "3, true", "6, true", "20, true", "3, false", "6, false", "30, false"})
     void powersAreThoseOfTheTerms(int terms, boolean lowRank) {
         HeightMap map = Surfaces.random(20, 16, 40e-9, 300e-9, terms);
-        HeightLevels heights = HeightLevels.of(map);
+        HeightLevels heights = new HeightLevels(map);
         HeightScale scale = HeightScale.mean(heights);
         Expansion expansion = lowRank
                 ? LowRankExpansion.of(heights, scale, 0, MAXIMUM_PHASE, -1, terms)
@@ -136,7 +136,7 @@ class FourierTableTest {
     /** The format of docs/conventions.md. */
     @Test
     void filesDescribeTheirTableCompletely() {
-        HeightLevels heights = HeightLevels.of(Surfaces.random(12, 10, 50e-9, 300e-9, 1));
+        HeightLevels heights = new HeightLevels(Surfaces.random(12, 10, 50e-9, 300e-9, 1));
         HeightScale scale = HeightScale.midRange(heights);
         LowRankExpansion expansion = LowRankExpansion.of(heights, scale, 0, 5, 1e-3, Integer.MAX_VALUE);
         FourierTable table = FourierTable.of(heights, expansion, Band.of(-2, 3), Band.of(-4, 1), done -> {});

@@ -117,7 +117,7 @@ record TableMetadata(
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("program", "sunbeam " + Environment.version());
         fields.put("patch", setup.patch().name());
-        fields.put("patch_sha256", setup.patch().digest());
+        fields.put("patch_sha256", setup.patch().heights().digest());
         fields.put("average", "ensemble: mean over all positions of the coherence window");
         fields.put("window", "Gaussian, standard deviation a quarter of the coherence length");
         fields.put("coherence_length_m", coherenceLength());
