@@ -33,7 +33,8 @@ public final class RadialBaker implements ColorBaker {
     /** The same for averages over a pixel: exp(-reach^2) = 2e-5. */
     private static final double COARSE_REACH = 3.3;
 
-    private static final int SECTOR_BITS = 20;
+    // More than there are sectors of 2^31 rays.
+    private static final int SECTOR_BITS = 24;
 
     private final WindowedSpectrum powers;
     private final double sliceStep;

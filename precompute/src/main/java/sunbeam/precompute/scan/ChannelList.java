@@ -56,10 +56,11 @@ public record ChannelList(List<ScanChannel> channels) {
     /** Finds a channel by its label, name (trace before retrace), number from 1, or label without an image's page number. */
     public Optional<Integer> find(String name) {
         String plain = plain(name);
-        return traceFirst(i -> plain(labels().get(i)).equals(plain))
+        List<String> labels = labels();
+        return traceFirst(i -> plain(labels.get(i)).equals(plain))
                 .or(() -> traceFirst(i -> plain(channels.get(i).name()).equals(plain)))
                 .or(() -> traceFirst(i -> Integer.toString(i + 1).equals(plain)))
-                .or(() -> traceFirst(i -> plain(labels().get(i)).matches("page \\d+ " + Pattern.quote(plain))));
+                .or(() -> traceFirst(i -> plain(labels.get(i)).matches("page \\d+ " + Pattern.quote(plain))));
     }
 
     private Optional<Integer> traceFirst(IntPredicate which) {

@@ -64,7 +64,9 @@ public final class BandTransform2d {
 
     /**
      * Returns the squared magnitudes of the bins of a real field, for bands that are symmetric about 0 and less than half the samples wide
-     * on each side; the source fills a row of samples. Bins (jx, jy) and (-jx, -jy) are conjugate: two rows are transformed as one, and only columns with jx >= 0.
+     * on each side. Bins (jx, jy) and (-jx, -jy) are conjugate: two rows are transformed as one, and only columns with jx >= 0.
+     *
+     * @param source fills a row of samples; must be thread-safe
      */
     public double[] powers(ObjIntConsumer<double[]> source) {
         int reachX = alongX.band().last();

@@ -102,8 +102,8 @@ public record PowerSpectrum(
     }
 
     /**
-     * Returns bins that are farther apart by whole factors, by at most a spacing in cycles per meter. Lagrange weights of degree 7 distribute each power over eight bins, so that
-     * sums over Gaussians wider than the new spacing do not change.
+     * Returns bins that are farther apart by whole factors, by at most a spacing in cycles per meter. Lagrange weights of degree 7 distribute
+     * each power over eight bins, so that sums over Gaussians wider than the new spacing do not change.
      */
     public PowerSpectrum decimated(double spacing) {
         int factorX = (int) Math.max(1, spacing * x.period);
