@@ -17,9 +17,9 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import sunbeam.app.cli.DisplayOptions.TevOption;
 import sunbeam.app.cli.MaterialMap.MapSheet;
 import sunbeam.app.cli.MaterialMap.Result;
-import sunbeam.app.cli.DisplayOptions.TevOption;
 import sunbeam.app.cli.PatchOptions.IndexOption;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
@@ -29,7 +29,6 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.terminal.ExitCode;
@@ -184,8 +183,7 @@ public final class BrdfMapCommand extends FileCommand {
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
             Optional<Patch> black = sheet.black();
             String name = "the map" + black.map(patch -> " of " + patch.name()).orElse("");
-            ExitCode doubt =
-                    DoubtfulPicture.judge(sheet.patches(), black.isPresent(), name, exposure.isAutomatic(), err);
+            ExitCode doubt = doubt(sheet.patches(), black.isPresent(), name, exposure.isAutomatic(), err);
             Map<String, String> text = sheet.text();
             String wide = asked.has(ANGULAR_DIAMETER) ? ", " + asked.written(ANGULAR_DIAMETER) + " wide" : "";
             text.put("Light", light.describe() + wide);

@@ -19,7 +19,6 @@ import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -125,7 +124,7 @@ public final class EvaluateCommand extends FileCommand {
         evaluation.lines(area.average(), methodOptions.explains()).forEach(out::println);
         Map<String, Object> report = report(evaluation, choices, plan);
         write(files, report, evaluation.csv(), evaluation.plot(title(choices)), text(evaluation, report));
-        return period.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)).code() : ExitCode.UNUSABLE_INPUT.code();
+        return period.isSeen() ? doubt(List.of(patch)).code() : ExitCode.UNUSABLE_INPUT.code();
     }
 
     private GratingPeriod period(Patch patch) {

@@ -1,10 +1,13 @@
 package sunbeam.app.cli;
 
 import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.output.AtomicFile;
@@ -12,9 +15,15 @@ import sunbeam.app.files.output.AtomicFile.StreamContent;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.precompute.patch.Patch;
 
 /** Base class of commands that write files and report them: options {@code --force} and {@code --json}. */
 public abstract class FileCommand extends ReportingCommand {
+    // A smaller picture may lie between a grating's orders.
+    private static final int FEWEST_PIXELS = 32;
+
     @Mixin
     protected final JsonOption json = new JsonOption();
 
@@ -61,5 +70,33 @@ public abstract class FileCommand extends ReportingCommand {
         contents.put(".json", StreamContent.of(JsonOption.text(report)));
         contents.put(files.endings().get(0), stream -> PngWriter.write(stream, picture, text));
         json.print(out(), report, files.write(contents));
+    }
+
+    /** Returns the exit code of a picture that is written though it shows a mirror, of which loading has warned. */
+    public static ExitCode doubt(List<Patch> patches) {
+        return patches.stream().anyMatch(Patch::isMirror) ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
+    }
+
+    /** Warns if a picture, named such as "the map", is black; returns its exit code unless something else fails. */
+    public static ExitCode doubt(
+            List<Patch> patches, boolean black, String picture, boolean automatic, PrintWriter err) {
+        if (!black) {
+            return doubt(patches);
+        }
+        String remedy = automatic
+                ? ", though its exposure was found from it: no light goes where it looks; move the light"
+                : "; let the exposure be automatic, or raise it";
+        err.println(Messages.warning(picture + " is black all over" + remedy));
+        return ExitCode.TOLERANCE_MISSED;
+    }
+
+    /** True if all pixels are black; false for small pictures, which may be black by chance. */
+    public static boolean isBlack(BufferedImage image) {
+        int width = image.getWidth();
+        return width >= FEWEST_PIXELS
+                && IntStream.range(0, image.getHeight())
+                        .mapToObj(y -> image.getRGB(0, y, width, 1, null, 0, width))
+                        .flatMapToInt(Arrays::stream)
+                        .allMatch(color -> (color & 0xffffff) == 0);
     }
 }

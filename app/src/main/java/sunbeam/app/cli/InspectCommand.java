@@ -23,7 +23,6 @@ import sunbeam.app.files.plot.HeatMap.Frame;
 import sunbeam.app.files.plot.HeatMap.Values;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
-import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -98,7 +97,7 @@ public final class InspectCommand extends FileCommand {
         Map<String, Object> fields = inspection.fields();
         fields.put("thumbnail_px", sheet.thumbnail());
         json.print(out, fields, List.of(place));
-        return DoubtfulPicture.ofPatches(List.of(loaded)).code();
+        return doubt(List.of(loaded)).code();
     }
 
     /** Picture of an inspection: heights, power spectrum, histogram, a profile, and the text. */

@@ -25,7 +25,6 @@ import sunbeam.app.gpu.BrdfMapRenderer;
 import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.scene.Energy;
@@ -259,7 +258,7 @@ final class MaterialMap {
 
         Optional<Patch> black() {
             return maps.stream()
-                    .filter(map -> DoubtfulPicture.isBlack(disc(map)))
+                    .filter(map -> FileCommand.isBlack(disc(map)))
                     .map(Result::patch)
                     .findFirst();
         }

@@ -1,9 +1,5 @@
 package sunbeam.app.cli;
 
-import static sunbeam.app.cli.LightOptions.PHI_I;
-import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
-import static sunbeam.precompute.plan.LightSettings.OBSERVER;
-
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -21,7 +17,6 @@ import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
-import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -34,6 +29,7 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
@@ -64,11 +60,11 @@ public final class OrdersCommand extends FileCommand {
     private PatchOptions patchOptions;
 
     @Mixin
-    private final SettingOptions azimuth =
-            SettingOptions.overriding(List.of(PHI_I), Map.of(PHI_I, "across the lines of the grating"));
+    private final SettingOptions azimuth = SettingOptions.overriding(
+            List.of(LightOptions.PHI_I), Map.of(LightOptions.PHI_I, "across the lines of the grating"));
 
     @Mixin
-    private final SettingOptions light = new SettingOptions(List.of(ILLUMINANT, OBSERVER));
+    private final SettingOptions light = new SettingOptions(List.of(LightSettings.ILLUMINANT, LightSettings.OBSERVER));
 
     @Mixin
     private IndexOption index;
@@ -125,7 +121,7 @@ public final class OrdersCommand extends FileCommand {
         tree.put("index", index.describe(material));
         Map<String, String> text = Map.of("Title", patch.name() + ", diffraction orders", "Patch", patch.source());
         write(files, tree, table.csv(), plot(table), text);
-        return DoubtfulPicture.ofPatches(List.of(patch)).code();
+        return doubt(List.of(patch)).code();
     }
 
     private OrderTable table(
@@ -149,7 +145,8 @@ public final class OrdersCommand extends FileCommand {
                         "%d angles of --theta-i and %d --wavelengths are too many for this patch of %.0f orders; take larger steps%s",
                         thetas.count(), wavelengths.count(), visible, fewer));
         OrderSpectrum spectrum = new OrderSpectrum(patch.heights());
-        double phi = Math.toDegrees(choices.get(PHI_I, lattice.first().azimuth()));
+        double phi =
+                Math.toDegrees(choices.get(LightOptions.PHI_I, lattice.first().azimuth()));
         double[] meters =
                 Arrays.stream(wavelengths.values()).map(nm -> nm / 1e9).toArray();
         double[] angles = thetas.values();
@@ -162,7 +159,7 @@ public final class OrdersCommand extends FileCommand {
                 .mapToObj(i -> new Incidence(angles[i], all.subList(i * meters.length, (i + 1) * meters.length)))
                 .toList();
         // The verdict is for light across the lines.
-        Verdict verdict = Verdict.of(patch, period, choices.has(PHI_I) ? 0 : thetas.minimum());
+        Verdict verdict = Verdict.of(patch, period, choices.has(LightOptions.PHI_I) ? 0 : thetas.minimum());
         return new OrderTable(patch, period, verdict, lattice, phi, incidences, cie);
     }
 

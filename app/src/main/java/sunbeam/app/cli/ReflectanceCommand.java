@@ -1,8 +1,5 @@
 package sunbeam.app.cli;
 
-import static sunbeam.app.scene.SceneSettings.ENERGY;
-import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
-
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -29,6 +26,7 @@ import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.measure.errors.Certificate;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
@@ -70,7 +68,7 @@ public final class ReflectanceCommand extends FileCommand {
     private PatchOptions patchOptions;
 
     @Mixin
-    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH, ENERGY));
+    private final SettingOptions turn = new SettingOptions(List.of(SceneSettings.ROTATE_PATCH, SceneSettings.ENERGY));
 
     @Mixin
     private MethodOptions methodOptions;
@@ -104,7 +102,7 @@ public final class ReflectanceCommand extends FileCommand {
         certify.check(Methods.of(asked));
         Ending.CSV.require("--output", output);
         DirectionList list =
-                DirectionList.read(directions).seenByTurned(turn.choices().get(ROTATE_PATCH));
+                DirectionList.read(directions).seenByTurned(turn.choices().get(SceneSettings.ROTATE_PATCH));
         if (list.spectral() && asked.get(Methods.METHOD).equals(TableMethod.TYPE)) {
             throw DiffractionSetup.withoutPower();
         }
@@ -120,7 +118,7 @@ public final class ReflectanceCommand extends FileCommand {
                 .withLight(LightTable.of(asked));
         Choices choices = loaded.limitToScan(asked, err);
         Optional<EnergyDivisor> divisor =
-                turn.choices().get(ENERGY).divisor(loaded.patch().heights(), material, choices);
+                turn.choices().get(SceneSettings.ENERGY).divisor(loaded.patch().heights(), material, choices);
         DiffractionSetup setup = divisor.isEmpty() || list.spectral()
                 ? loaded
                 : loaded.withLight(divisor.get().under(light(list), loaded.cie()));

@@ -1,9 +1,5 @@
 package sunbeam.app.cli.color;
 
-import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
-import static sunbeam.precompute.method.Methods.METHOD;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
-
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -31,8 +27,8 @@ import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
@@ -73,7 +69,7 @@ public final class ColorCommand extends FileCommand {
     private PatchOptions.Compared compared;
 
     @Mixin
-    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
+    private final SettingOptions turn = new SettingOptions(List.of(SceneSettings.ROTATE_PATCH));
 
     @Mixin
     private final LightOptions light = new LightOptions(
@@ -110,7 +106,7 @@ public final class ColorCommand extends FileCommand {
     public Integer call() {
         // The ensemble average is the default: an eye or a camera sees many coherence areas at once.
         Choices choices = methodOptions.choices().over(Choices.none().with(MethodSettings.AVERAGE, Average.ENSEMBLE));
-        Choices fitting = choices.get(METHOD).has(MethodSettings.AVERAGE) ? choices : methodOptions.choices();
+        Choices fitting = choices.get(Methods.METHOD).has(MethodSettings.AVERAGE) ? choices : methodOptions.choices();
         return fitting.located(() -> run(fitting));
     }
 
@@ -147,12 +143,12 @@ public final class ColorCommand extends FileCommand {
             settings = describe(patches.get(0), choices, material, display);
             settings.put("renderer", context.info().renderer());
             reports = surfaces.stream()
-                    .map(surface -> surface.report(context, display, choices.get(TOLERANCE)))
+                    .map(surface -> surface.report(context, display, choices.get(MethodSettings.TOLERANCE)))
                     .toList();
         }
         boolean black =
                 reports.stream().anyMatch(report -> report.colors().stream().allMatch(color -> color.rgb() == 0));
-        ExitCode judged = DoubtfulPicture.judge(patches, black, "the picture", exposure.isAutomatic(), err());
+        ExitCode judged = doubt(patches, black, "the picture", exposure.isAutomatic(), err());
         for (ColorReport report : reports) {
             String name = reports.size() > 1 ? Quoted.oneLine(report.patch().name()) + ": " : "";
             json.text(out()).println(name + String.join(System.lineSeparator() + "  ", report.lines()));
@@ -194,14 +190,14 @@ public final class ColorCommand extends FileCommand {
                         ? light.describe()
                         : "theta " + light.written(LightOptions.THETA_I) + " degrees, phi that of each strip's plane");
         settings.put("angle_step_deg", angles.step());
-        settings.put("patch_turned_deg", Math.toDegrees(turn.choices().get(ROTATE_PATCH)));
-        settings.put("method", seen.get(METHOD).label());
+        settings.put("patch_turned_deg", Math.toDegrees(turn.choices().get(SceneSettings.ROTATE_PATCH)));
+        settings.put("method", seen.get(Methods.METHOD).label());
         settings.put("options", Methods.describe(seen));
         settings.put("index", index.describe(material));
         settings.put("exposure", display.exposure());
         settings.put("tone", ValueKind.name(display.tone()));
         settings.put("primaries", ValueKind.name(display.primaries()));
-        settings.put("tolerance", choices.get(TOLERANCE));
+        settings.put("tolerance", choices.get(MethodSettings.TOLERANCE));
         return settings;
     }
 

@@ -1,7 +1,5 @@
 package sunbeam.app.cli.color;
 
-import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
-
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -16,6 +14,7 @@ import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
@@ -97,7 +96,7 @@ final class SurfaceColors {
         method = Methods.of(choices);
         this.index = index;
         this.theta = theta;
-        turn = light.get(ROTATE_PATCH);
+        turn = light.get(SceneSettings.ROTATE_PATCH);
         period = GratingPeriod.of(setup.patch()).turned(turn);
         azimuthDegrees = Math.toDegrees(period.hasWave() ? period.azimuth() : turn);
         lightAzimuthDegrees = light.find(LightOptions.PHI_I).map(Math::toDegrees);

@@ -251,21 +251,13 @@ public final class FrameSequence implements AutoCloseable {
         @Option(
                 names = "--light-cone",
                 description = "Also draw a cone from the middle of the picture towards the light, as the viewer does.")
-        private boolean lightCone;
+        boolean lightCone;
 
         @Option(
                 names = "--strokes",
                 description =
                         "Also draw the direction of the nanostructure: dots on the skin, each with a stroke along the patch's x axis. With --wireframe, strokes along the vertices' normals.")
-        private boolean strokes;
-
-        boolean hasLight() {
-            return lightCone;
-        }
-
-        boolean hasStrokes() {
-            return strokes;
-        }
+        boolean strokes;
 
         /** Returns words for the picture's identity, by which {@code --resume} recognizes it. */
         String describe() {

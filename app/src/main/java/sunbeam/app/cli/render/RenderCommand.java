@@ -27,7 +27,6 @@ import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
-import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.render.LineDrawings;
 import sunbeam.app.render.PixelPicture.LitPixels;
 import sunbeam.app.render.PixelSamples;
@@ -178,7 +177,7 @@ public final class RenderCommand extends FileCommand {
             err.println(Messages.warning(lit.get().complaint()));
             return ExitCode.TOLERANCE_MISSED;
         }
-        return DoubtfulPicture.ofPatches(SceneData.ofRegions(parts, SceneData::patch));
+        return doubt(SceneData.ofRegions(parts, SceneData::patch));
     }
 
     private static String plan(SceneData data) {
@@ -191,14 +190,13 @@ public final class RenderCommand extends FileCommand {
                 animation.isGiven()
                         || linear != null
                         || resume
-                        || overlays.hasLight()
+                        || overlays.lightCone
                         || certify.count().isPresent(),
                 "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone and --certify out");
         Path file = writable(output, stem() + "-wireframe.png");
         MeshSource.Loaded mesh = scene.mesh().load();
         mesh.warnings().forEach(warning -> err().println(Messages.warning(warning)));
-        BufferedImage image =
-                LineDrawings.wireframe(scene, mesh.mesh(), overlays.hasStrokes(), size.width(), size.height());
+        BufferedImage image = LineDrawings.wireframe(scene, mesh.mesh(), overlays.strokes, size.width(), size.height());
         Map<String, String> text = Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene));
         Path written = PngWriter.write(file, overwrite(output), image, text);
         json.print(out(file), Map.of("scene", sceneName), List.of(written));

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.cli.FileCommand;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 
@@ -129,8 +130,8 @@ class AutoExposureTest {
     private final StringWriter said = new StringWriter();
 
     private int judge(Patch patch, BufferedImage image, boolean automatic) {
-        boolean black = DoubtfulPicture.isBlack(image);
-        return DoubtfulPicture.judge(List.of(STEP, patch), black, "the map", automatic, new PrintWriter(said))
+        boolean black = FileCommand.isBlack(image);
+        return FileCommand.doubt(List.of(STEP, patch), black, "the map", automatic, new PrintWriter(said))
                 .code();
     }
 
