@@ -6,13 +6,6 @@ import java.util.List;
 /** A rectangle of at least one pixel of an image, x columns from its left and y rows from its top. */
 public record Tile(int x, int y, int width, int height) {
 
-    public Tile {
-        if (x < 0 || y < 0 || width < 1 || height < 1) {
-            throw new IllegalArgumentException("tile " + width + " x " + height + " at (" + x + ", " + y
-                    + "): x and y must be at least 0, width and height at least 1");
-        }
-    }
-
     public static Tile whole(int width, int height) {
         return new Tile(0, 0, width, height);
     }
@@ -48,6 +41,7 @@ public record Tile(int x, int y, int width, int height) {
     }
 
     public boolean fitsIn(int imageWidth, int imageHeight) {
-        return (long) x + width <= imageWidth && (long) y + height <= imageHeight;
+        boolean isRectangle = x >= 0 && y >= 0 && width > 0 && height > 0;
+        return isRectangle && (long) x + width <= imageWidth && (long) y + height <= imageHeight;
     }
 }

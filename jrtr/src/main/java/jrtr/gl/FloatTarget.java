@@ -56,7 +56,7 @@ public final class FloatTarget extends Resource {
     }
 
     private FloatTarget allocate(GL3 gl) {
-        ContextInfo.Limits limits = device().limits();
+        ContextInfo.Limits limits = device().info().limits();
         if (spec.width() > limits.targetWidth() || spec.height() > limits.targetHeight()) {
             throw device().beyondLimit(
                             "target '" + label() + "' needs " + spec.width() + " x " + spec.height() + " pixels",

@@ -141,10 +141,6 @@ final class GlDevice {
         return info;
     }
 
-    ContextInfo.Limits limits() {
-        return info.limits();
-    }
-
     void check(GL3 gl, String doing) {
         int error = gl.glGetError();
         if (error == GL3.GL_NO_ERROR) {

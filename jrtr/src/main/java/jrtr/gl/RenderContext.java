@@ -54,8 +54,8 @@ public final class RenderContext implements AutoCloseable {
         if (!info().software()) {
             return new ShaderProgram(device, fullScreenVertices, fragment);
         }
-        FlatUniforms flat =
-                FlatUniforms.of(fullScreenVertices, fragment, device.limits().varyings());
+        int varyings = info().limits().varyings();
+        FlatUniforms flat = FlatUniforms.of(fullScreenVertices, fragment, varyings);
         return new ShaderProgram(device, flat.vertex(), flat.fragment());
     }
 

@@ -7,7 +7,6 @@ import jrtr.GraphicsException;
 import jrtr.ShaderSource;
 import org.joml.Matrix3fc;
 import org.joml.Matrix4fc;
-import org.joml.Vector2fc;
 import org.joml.Vector3fc;
 
 /**
@@ -89,10 +88,6 @@ public final class ShaderProgram extends Resource {
         GL3 gl = gl();
         gl.glUseProgram(name);
         uniforms.set(gl, uniform, values);
-    }
-
-    public void set(String uniform, Vector2fc value) {
-        set(uniform, value.x(), value.y());
     }
 
     public void set(String uniform, Vector3fc value) {

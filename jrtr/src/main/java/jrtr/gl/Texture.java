@@ -20,7 +20,7 @@ public class Texture extends Resource {
     void requireUploaded() {}
 
     final void requireSides(int width, int height, int layers) {
-        ContextInfo.Limits limits = device().limits();
+        ContextInfo.Limits limits = device().info().limits();
         if (width > limits.textureSize() || height > limits.textureSize()) {
             throw device().beyondLimit(
                             "texture '" + label() + "' needs " + width + " x " + height + " texels",

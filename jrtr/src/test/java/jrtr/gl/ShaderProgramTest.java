@@ -8,7 +8,6 @@ import jrtr.GraphicsException;
 import jrtr.ShaderSource;
 import org.joml.Matrix3f;
 import org.joml.Matrix4f;
-import org.joml.Vector2f;
 import org.joml.Vector3f;
 import org.joml.Vector4f;
 import org.junit.jupiter.api.Test;
@@ -58,7 +57,7 @@ class ShaderProgramTest extends InARendering {
                      (m3 * v3).y, (m4 * v4).w)""");
         program.set("f", 0.25f);
         program.set("i", -3);
-        program.set("v2", new Vector2f(1, 2));
+        program.set("v2", 1f, 2f);
         Matrix3f m3 = new Matrix3f(1, 2, 3, 4, 5, 6, 7, 8, 9);
         Vector3f v3 = new Vector3f(1, -1, 2);
         program.set("m3", m3);

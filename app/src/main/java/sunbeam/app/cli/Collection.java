@@ -23,7 +23,6 @@ import sunbeam.app.cli.PatchOptions.Surfaces;
 import sunbeam.app.cli.PatchOptions.TaskPart;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ProgressDisplay;
@@ -281,6 +280,6 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
                 .map(entry -> entry.getValue() + " " + entry.getKey())
                 .collect(Collectors.joining(", "));
         out.println(rows.size() + (rows.size() == 1 ? " surface: " : " surfaces: ") + counts);
-        written.forEach(file -> out.println(StandardOutput.name(file)));
+        written.forEach(file -> out.println(OutputFolder.name(file)));
     }
 }

@@ -15,8 +15,8 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.PngWriter;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.HeatMap.Colors;
 import sunbeam.app.files.plot.HeatMap.Frame;
@@ -72,7 +72,7 @@ public final class InspectCommand extends FileCommand {
         resume.requireMany();
         Ending.PNG.require("--output", output);
         UsageException.throwIf(
-                json.isGiven() && StandardOutput.isMeant(output),
+                json.isGiven() && OutputFolder.isStandardOutput(output),
                 "--json and --output - both want standard output; name a file for the picture");
         PrintWriter err = err();
         PrintWriter out = out(output);

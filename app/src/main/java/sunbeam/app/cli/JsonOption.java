@@ -10,7 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Option;
-import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
@@ -38,7 +38,7 @@ public final class JsonOption {
 
     /** Prints the names of written files, or with {@code --json} the report as one JSON object with them. */
     public void print(PrintWriter out, Map<String, ?> report, List<Path> files) {
-        List<String> names = files.stream().map(StandardOutput::name).toList();
+        List<String> names = files.stream().map(OutputFolder::name).toList();
         if (asked) {
             Map<String, Object> all = new LinkedHashMap<>(report);
             all.put("files", names);

@@ -17,8 +17,8 @@ import picocli.CommandLine.Parameters;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.MeshWriters;
 import sunbeam.app.scene.mesh.SkinMaps;
@@ -89,7 +89,7 @@ public final class MeshCommand extends FileCommand {
         if (json.isGiven()) {
             json.print(out, Map.of("mesh", mesh, "vertices", vertices, "triangles", triangles), List.of(written));
         } else {
-            out.println(StandardOutput.name(written) + ": " + MeshSource.count(vertices, "vertex") + ", "
+            out.println(OutputFolder.name(written) + ": " + MeshSource.count(vertices, "vertex") + ", "
                     + MeshSource.count(triangles, "triangle"));
         }
         return ExitCode.OK.code();

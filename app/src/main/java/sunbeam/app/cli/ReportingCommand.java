@@ -8,7 +8,7 @@ import java.util.function.Supplier;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
-import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.terminal.Environment;
 
 /** Base class of commands, with the streams for their reports. {@link #call} returns the exit code. */
@@ -31,7 +31,7 @@ public abstract class ReportingCommand implements Callable<Integer> {
 
     /** Returns standard output for the report, or standard error if one of these files, which may be null, is standard output. */
     protected final PrintWriter out(Path... targets) {
-        boolean isTaken = Arrays.stream(targets).anyMatch(StandardOutput::isMeant);
+        boolean isTaken = Arrays.stream(targets).anyMatch(OutputFolder::isStandardOutput);
         return isTaken ? err() : specification.commandLine().getOut();
     }
 

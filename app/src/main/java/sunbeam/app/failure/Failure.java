@@ -55,13 +55,11 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             return "out of memory: Java's heap may take " + mebibytes + " MiB (" + cause.getMessage()
                     + "); allow more with SUNBEAM_JAVA_OPTIONS=-Xmx" + 2 * mebibytes + "m, or ask for less";
         }
-        if (code == ExitCode.INTERNAL_ERROR) {
-            return "internal error, a bug in Sunbeam: " + cause;
-        }
-        if (code == ExitCode.INTERRUPTED) {
-            return "interrupted";
-        }
-        return cause.getMessage();
+        return switch (code) {
+            case INTERNAL_ERROR -> "internal error, a bug in Sunbeam: " + cause;
+            case INTERRUPTED -> "interrupted";
+            default -> cause.getMessage();
+        };
     }
 
     private static Throwable unwrapped(Throwable thrown) {

@@ -11,7 +11,6 @@ import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.scene.Light;
-import org.joml.Vector2f;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -181,7 +180,7 @@ final class SkinSurface implements AutoCloseable {
         textures.put("depths", buffer.attributes().depth());
         textures.putAll(geometry.shadows().textures());
         Tile whole = Tile.whole(block.width(), block.height());
-        moving.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));
+        moving.set("perPicture", 1f / block.width(), 1f / block.height());
         var spec = new FloatTarget.Spec(block.width(), block.height(), 1, true, FloatTarget.Format.RGBA8);
         FloatTarget target = movingTarget.of(context, "moving", spec);
         if (ground.isPresent()) {

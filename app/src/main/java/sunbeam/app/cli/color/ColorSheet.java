@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.app.cli.color.ColorReport.ViewColor;
 import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.PlotStyle;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieTable;
@@ -70,7 +71,7 @@ final class ColorSheet {
         Sheet sheet = new Sheet(WIDTH);
         for (int i = 0; i < reports.size(); i++) {
             ColorReport report = reports.get(i);
-            Color mark = Plot.color(i);
+            Color mark = PlotStyle.color(i);
             texts(sheet, i);
             for (boolean along : new boolean[] {true, false}) {
                 sheet.part(GAP + STRIP + LABELS, graphics -> strip(graphics, report, along, mark));
@@ -130,7 +131,7 @@ final class ColorSheet {
             graphics.fillRect(from, GAP, to - from, STRIP);
         }
         marks(graphics, report, colors.get(0).view(), middle);
-        graphics.setColor(Sheet.INK);
+        graphics.setColor(PlotStyle.INK);
         graphics.drawString(colors.get(0).view().strip(), 12, middle - 4);
         graphics.drawString("azimuth " + angle(colors.get(0).view().phiDegrees()), 12, middle + 14);
         double step = Plot.round(TICKS * (last - first));

@@ -47,7 +47,7 @@ public final class AtomicFile implements AutoCloseable {
     private AtomicFile(Path target, Overwrite overwrite) {
         this.target = target;
         this.overwrite = overwrite;
-        this.isStandardOutput = StandardOutput.isMeant(target);
+        this.isStandardOutput = OutputFolder.isStandardOutput(target);
         this.isDevice = !isStandardOutput && OutputFolder.isDevice(target);
         this.contentPath = target;
         hook = new ShutdownHook(this::discard);
@@ -92,7 +92,7 @@ public final class AtomicFile implements AutoCloseable {
      */
     public static void requireRoom(Path target, long bytes, String takes, String remedy) {
         long free = OutputFolder.of(target).toFile().getUsableSpace();
-        if (bytes > free && !StandardOutput.isMeant(target)) {
+        if (bytes > free && !OutputFolder.isStandardOutput(target)) {
             throw new OutputException("cannot write " + target + ": " + takes + " " + ByteSize.format(bytes) + " and "
                     + ByteSize.format(free) + " are free; " + remedy + ", or choose another folder");
         }

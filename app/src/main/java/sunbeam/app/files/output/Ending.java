@@ -30,7 +30,7 @@ public enum Ending {
     public void require(String option, Path named) {
         if (named == null
                 || named.getFileName() == null
-                || StandardOutput.isMeant(named)
+                || OutputFolder.isStandardOutput(named)
                 || (Files.exists(named) && !Files.isRegularFile(named))) {
             return;
         }

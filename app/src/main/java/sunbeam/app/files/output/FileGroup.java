@@ -10,7 +10,7 @@ import sunbeam.app.terminal.UsageException;
 /** Files of one name and several endings: all appear or none, with the lowest number that is free for every ending. */
 public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     public FileGroup {
-        if (StandardOutput.isMeant(stem)) {
+        if (OutputFolder.isStandardOutput(stem)) {
             throw new UsageException(
                     "cannot write several files to standard output: name a file, or ./- for names that begin with -");
         }

@@ -29,7 +29,7 @@ public class OutputException extends RuntimeException {
 
     /** Returns the exception for an operating system's failure. */
     public static OutputException of(Path target, IOException cause) {
-        if (StandardOutput.isMeant(target)) {
+        if (OutputFolder.isStandardOutput(target)) {
             return new OutputException(toStandardOutput(reason(rootOf(cause))), cause);
         }
         String message = "cannot write " + target + ": " + reasonAndRemedy(rootOf(cause));

@@ -18,6 +18,7 @@ import java.time.Instant;
 import java.util.function.Supplier;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.text.Quoted;
 
 /** Folders of outputs: their creation, checks, free names and temporary files. */
 public final class OutputFolder {
@@ -28,7 +29,18 @@ public final class OutputFolder {
 
     static final int MOST_NAMES = 10_000;
 
+    private static final Path STANDARD_OUTPUT = Path.of("-");
+
     private OutputFolder() {}
+
+    /** True for {@code -}; a file of this name is {@code ./-}. */
+    public static boolean isStandardOutput(Path target) {
+        return STANDARD_OUTPUT.equals(target);
+    }
+
+    public static String name(Path target) {
+        return isStandardOutput(target) ? "written to standard output" : Quoted.oneLine(target.toString());
+    }
 
     /** Creates a missing folder in an existing one; throws {@link OutputException} if it cannot. */
     public static void create(Path folder) {
@@ -102,7 +114,7 @@ public final class OutputFolder {
     }
 
     private static void requireFolder(Path folder) {
-        if (StandardOutput.isMeant(folder)) {
+        if (isStandardOutput(folder)) {
             throw new UsageException(
                     "cannot write several files to standard output: name a folder, or ./- for one of the name -");
         }
@@ -135,7 +147,7 @@ public final class OutputFolder {
 
     /** @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing */
     static void checkTarget(Path target, Overwrite overwrite) {
-        if (StandardOutput.isMeant(target)) {
+        if (isStandardOutput(target)) {
             return;
         }
         OutputException.refuseIf(Files.isDirectory(target), target, "it is a folder; name a file in it");

@@ -64,11 +64,6 @@ public final class Plot {
         return new Plot(new Frame(title, Axis.linear(x), Axis.linear(y), width, height));
     }
 
-    /** Returns the color of a series by its number, from 0. */
-    public static Color color(int number) {
-        return PlotStyle.color(number);
-    }
-
     /** Returns the largest of 1, 2, 5 times a power of ten that does not exceed a positive number. */
     public static double round(double number) {
         double power = Math.pow(10, Math.floor(Math.log10(number)));

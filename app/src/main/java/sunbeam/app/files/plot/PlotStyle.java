@@ -28,7 +28,7 @@ import org.jfree.chart.util.ShapeUtils;
 import org.jfree.data.Range;
 
 /** Style of all plots: white, sans serif, thin grid, colors that color-blind people can distinguish. */
-final class PlotStyle {
+public final class PlotStyle {
     /** Colors of series, from M. Okabe and K. Ito, "Color Universal Design" (2008), without the yellow, which is too pale on white. */
     private static final int[] COLORS = {0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x000000};
 
@@ -61,7 +61,7 @@ final class PlotStyle {
     static final NumberFormat POWERS_BY_EXPONENT =
             new DecimalFormat("'1e'0;'1e-'0", DecimalFormatSymbols.getInstance(Locale.ROOT));
 
-    static final Color INK = new Color(0x222222);
+    public static final Color INK = new Color(0x222222);
     /** Vermillion, which is visible on dark and on light. */
     static final Color MARK = new Color(0xD55E00);
 
@@ -74,7 +74,8 @@ final class PlotStyle {
 
     private PlotStyle() {}
 
-    static Color color(int index) {
+    /** Returns the color of a series by its number, from 0. */
+    public static Color color(int index) {
         return new Color(COLORS[index % COLORS.length]);
     }
 

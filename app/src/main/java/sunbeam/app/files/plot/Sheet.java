@@ -21,7 +21,6 @@ import org.jfree.chart.ui.HorizontalAlignment;
 
 /** White page of a report, filled from top to bottom with headings, paragraphs broken into lines, and rows of pictures. */
 public final class Sheet {
-    public static final Color INK = PlotStyle.INK;
     public static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
     /** Font of fixed width for columns of values. */
     public static final Font TABLE_FONT = new Font(Font.MONOSPACED, Font.PLAIN, 15);
@@ -113,7 +112,7 @@ public final class Sheet {
         graphics.setColor(Color.WHITE);
         graphics.fillRect(0, 0, width, page.getHeight());
         for (Part part : parts) {
-            graphics.setColor(INK);
+            graphics.setColor(PlotStyle.INK);
             graphics.setFont(FONT);
             part.drawing.accept(graphics);
             graphics.translate(0, part.height);
@@ -131,8 +130,8 @@ public final class Sheet {
 
     static TextBlock block(String text, Font font, int width) {
         Graphics2D measuring = measuring(font);
-        TextBlock block =
-                TextUtils.createTextBlock(text, font, INK, width, Integer.MAX_VALUE, new G2TextMeasurer(measuring));
+        TextBlock block = TextUtils.createTextBlock(
+                text, font, PlotStyle.INK, width, Integer.MAX_VALUE, new G2TextMeasurer(measuring));
         block.setLineAlignment(HorizontalAlignment.LEFT);
         measuring.dispose();
         return block;
@@ -177,7 +176,7 @@ public final class Sheet {
             for (int i = 0; i < cells.size(); i++) {
                 int x = CELL_GAP + i * CELL;
                 Thumbnail cell = cells.get(i);
-                graphics.setColor(cell.picture().isPresent() ? INK : FAILURE);
+                graphics.setColor(cell.picture().isPresent() ? PlotStyle.INK : FAILURE);
                 cell.picture().ifPresent(picture -> graphics.drawImage(picture, x, CELL_GAP, null));
                 graphics.setFont(FONT.deriveFont(Font.BOLD));
                 String name = fittedName(cell.name(), graphics.getFont(), CELL - CELL_GAP);
