@@ -49,8 +49,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
 
     /** Index of a texel as in shaders/skin.frag, row by row from the bottom left; x and y count from the block's top left. */
     int texel(int x, int y) {
-        int width = attributes.spec().width();
-        return (attributes.spec().height() - 1 - y) * width + x;
+        return (attributes.spec().height() - 1 - y) * attributes.spec().width() + x;
     }
 
     @Override

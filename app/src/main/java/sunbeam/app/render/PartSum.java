@@ -19,27 +19,22 @@ import sunbeam.precompute.method.TableMethod;
 /**
  * Draws a scene as the sum of its parts' diffracted light, one part per patch and reflectance component, over the body
  * (shaders/include/blend.glsl). The body is blended in after the sum, since its visibility depends on all diffracted light.
+ *
+ * @param sessions one session per part
  */
-public final class PartSum {
+public record PartSum(List<SceneSession> sessions) {
     /** In pixels, longer side of the picture that is metered for automatic exposure. */
     public static final int METER_SIDE = 160;
 
     /** Samples along a metered pixel's side by method table; other methods take one. */
     public static final int TABLE_SAMPLES = 2;
 
-    private final List<SceneSession> sessions;
-
-    /** @param sessions one session per part */
-    public PartSum(List<SceneSession> sessions) {
-        this.sessions = List.copyOf(sessions);
-    }
-
     /** Compares some baked colors with exact ones and warns of tables that err too much. */
     public void validate() {
         sessions.forEach(session -> session.virtualTexture().ifPresent(VirtualTexture::validate));
     }
 
-    /** Returns the point under a pixel (see {@link SceneSession#pick}). */
+    /** See {@link SceneSession#pick}. */
     public Optional<Pick> pick(int x, int y, int width, int height) {
         return sessions.isEmpty() ? Optional.empty() : sessions.get(0).pick(x, y, width, height);
     }
@@ -148,8 +143,7 @@ public final class PartSum {
     }
 
     private ScenePicture light(DrawRequest request, BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {
-        Scene scene = request.scene();
-        DrawRequest diffracted = request.with(scene.withoutBody());
+        DrawRequest diffracted = request.with(request.scene().withoutBody());
         ScenePicture light = ScenePicture.empty(request.columns(request.tile()), request.rows(request.tile()));
         sessions.forEach(session -> add(drawing.apply(session, diffracted), light));
         return light;

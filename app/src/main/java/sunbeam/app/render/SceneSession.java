@@ -52,7 +52,7 @@ public final class SceneSession implements AutoCloseable {
     private SceneSession(RenderContext context, Consumer<UploadedScene> upload) {
         this.context = context;
         this.shading = new PackedShading(context);
-        this.picking = new Picking(context);
+        this.picking = Picking.in(context);
         this.uploaded = new UploadedScene(context);
         try {
             upload.accept(uploaded);
@@ -129,8 +129,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     private PackedShading.Part part(DrawRequest request, SkinGeometry geometry, SceneBlocks.Piece piece) {
-        GeometryBuffer buffer = drawn(Layout.FULL, geometry, piece.block());
-        return new PackedShading.Part(uploaded.skin(), request, buffer, piece);
+        return new PackedShading.Part(uploaded.skin(), request, drawn(Layout.FULL, geometry, piece.block()), piece);
     }
 
     private GeometryBuffer drawn(Layout layout, SkinGeometry geometry, Tile block) {

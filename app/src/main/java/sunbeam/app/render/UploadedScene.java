@@ -222,18 +222,13 @@ final class UploadedScene implements AutoCloseable {
     }
 
     /** Draws the point under a pixel (shaders/pick.frag). */
-    static final class Picking implements AutoCloseable {
-        private static final int IMAGES = 6;
+    record Picking(RenderContext context, ShaderProgram program, FloatTarget target) implements AutoCloseable {
+        private static final FloatTarget.Spec SPEC = new FloatTarget.Spec(1, 1, 6, true);
 
-        private final RenderContext context;
-        private final ShaderProgram program;
-        private final FloatTarget target;
-
-        Picking(RenderContext context) {
-            this.context = context;
-            this.program = context.createMeshProgram(Shaders.library().load("pick.frag"));
-            this.target = Resource.orClose(
-                    () -> context.createFloatTarget("pick", new FloatTarget.Spec(1, 1, IMAGES, true)), program::close);
+        static Picking in(RenderContext context) {
+            ShaderProgram program = context.createMeshProgram(Shaders.library().load("pick.frag"));
+            FloatTarget target = Resource.orClose(() -> context.createFloatTarget("pick", SPEC), program::close);
+            return new Picking(context, program, target);
         }
 
         Optional<Pick> pick(UploadedScene uploaded, Scene scene, View.Area pixel) {
@@ -247,6 +242,8 @@ final class UploadedScene implements AutoCloseable {
             if (point[3] == 0) {
                 return Optional.empty();
             }
+            float[] wi = target.read(4);
+            float[] wr = target.read(5);
             return Optional.of(new Pick(
                     new Vector3f(point),
                     scene.patches().region((int) point[3] - 1),
@@ -254,12 +251,8 @@ final class UploadedScene implements AutoCloseable {
                     new Vector3f(target.read(1)),
                     new Vector3f(target.read(2)),
                     new Vector3f(target.read(3)),
-                    direction(target.read(4)),
-                    direction(target.read(5))));
-        }
-
-        private static Direction direction(float[] rgba) {
-            return new Direction(rgba[0], rgba[1], rgba[2]);
+                    new Direction(wi[0], wi[1], wi[2]),
+                    new Direction(wr[0], wr[1], wr[2])));
         }
 
         @Override

@@ -111,8 +111,7 @@ public final class BuiltInMeshes {
             double[] weight = new double[samples + 1];
             for (int i = 1; i <= samples; i++) {
                 double place = (i - 0.5) / samples;
-                double relative = SnakeBody.halfWidth(place) / SnakeBody.RADIUS;
-                double spacing = 0.3 + 0.7 * relative;
+                double spacing = 0.3 + 0.7 * (SnakeBody.halfWidth(place) / SnakeBody.RADIUS);
                 weight[i] = weight[i - 1] + 1 / spacing + (place < SnakeBody.NECK ? 5 : 0);
             }
             double[] result = new double[RINGS];
@@ -149,12 +148,8 @@ public final class BuiltInMeshes {
 
         private void join(int[] first, int[] second) {
             for (int column = 0; column < COLUMNS; column++) {
-                int a = first[column];
-                int b = first[column + 1];
-                int c = second[column + 1];
-                int d = second[column];
-                builder.triangle(a, d, c);
-                builder.triangle(a, c, b);
+                builder.triangle(first[column], second[column], second[column + 1]);
+                builder.triangle(first[column], second[column + 1], first[column + 1]);
             }
         }
 

@@ -61,11 +61,7 @@ final class GltfAccessors {
     }
 
     /** Numbers of a type in a buffer view. */
-    private record Place(Integer componentType, Integer view, Integer offset) {
-        static Place of(Accessor accessor) {
-            return new Place(accessor.getComponentType(), accessor.getBufferView(), accessor.getByteOffset());
-        }
-    }
+    private record Place(Integer componentType, Integer view, Integer offset) {}
 
     /** Returns at most three times {@link RawMesh.Builder#MOST_ELEMENTS}, the corners of as many triangles. */
     int count(Integer index) {
@@ -80,9 +76,9 @@ final class GltfAccessors {
         Integer known = COMPONENTS.getOrDefault(String.valueOf(accessor.getType()), 0);
         refuseIf(known != components, index, "has not " + components + " numbers each; export it again");
         int count = count(index);
-        double[] values = accessor.getBufferView() == null
-                ? new double[components * count]
-                : numbers(index, Place.of(accessor), components, count);
+        Place place = new Place(accessor.getComponentType(), accessor.getBufferView(), accessor.getByteOffset());
+        double[] values =
+                place.view == null ? new double[components * count] : numbers(index, place, components, count);
         if (accessor.getSparse() != null) {
             substitute(index, accessor, values, components);
         }

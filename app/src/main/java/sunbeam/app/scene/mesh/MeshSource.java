@@ -84,15 +84,12 @@ public record MeshSource(String name, Unit unit) {
         return read(file, unit);
     }
 
-    private static String head(Path file) throws IOException {
-        try (InputStream stream = Files.newInputStream(file)) {
-            return new String(stream.readNBytes(HEAD_BYTES), StandardCharsets.ISO_8859_1);
-        }
-    }
-
     /** Throws an {@link InputException} for damaged files; the message does not name the file. */
     private static RawMesh parse(Path file) throws IOException {
-        String head = head(file);
+        String head;
+        try (InputStream stream = Files.newInputStream(file)) {
+            head = new String(stream.readNBytes(HEAD_BYTES), StandardCharsets.ISO_8859_1);
+        }
         if (head.startsWith("ply\n") || head.startsWith("ply\r")) {
             return PlyFile.read(file);
         }

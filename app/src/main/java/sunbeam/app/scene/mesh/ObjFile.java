@@ -19,7 +19,6 @@ final class ObjFile {
     private final BufferedReader reader;
     private final RawMesh.Builder mesh = new RawMesh.Builder();
     private long line;
-
     private long nextLine = 1;
 
     private ObjFile(BufferedReader reader) {
@@ -71,9 +70,9 @@ final class ObjFile {
             } else if (character != '\r') {
                 text.append((char) character);
             }
-            if (text.length() > LONGEST_LINE) {
-                throw new InputException("longer than " + LONGEST_LINE + " characters; this is no OBJ text file");
-            }
+            InputException.refuseIf(
+                    text.length() > LONGEST_LINE,
+                    "longer than " + LONGEST_LINE + " characters; this is no OBJ text file");
         }
         boolean marked = line == 1 && text.indexOf(UTF8_MARK) == 0;
         return any ? text.substring(marked ? UTF8_MARK.length() : 0) : null;

@@ -75,13 +75,10 @@ final class PolygonTriangulation {
     /** First ear, so that a convex polygon becomes a fan; the second corner if a self-crossing polygon has none. */
     private int ear(int second, int remaining) {
         int corner = second;
-        for (int step = 0; step < remaining; step++) {
-            if (isEar[corner]) {
-                return corner;
-            }
+        for (int step = 0; step < remaining && !isEar[corner]; step++) {
             corner = next[corner];
         }
-        return second;
+        return corner;
     }
 
     /** Only the neighbors can become ears, or cease to be. */
