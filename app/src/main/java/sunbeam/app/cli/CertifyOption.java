@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
-import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;

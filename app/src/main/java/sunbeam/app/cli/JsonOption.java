@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.output.OutputFolder;
-import sunbeam.app.measure.errors.Certificate;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.errors.ErrorStatistics;

@@ -26,7 +26,6 @@ import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.scene.Energy;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;

@@ -25,7 +25,6 @@ import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.ProgressDisplay;

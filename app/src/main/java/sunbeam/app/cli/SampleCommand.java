@@ -15,7 +15,6 @@ import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ProgressDisplay.Progress;

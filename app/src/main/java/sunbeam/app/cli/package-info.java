@@ -1,2 +1,2 @@
-/** Commands of one or two classes, and the options and outputs that commands share; larger commands have packages. Nothing else knows picocli. */
+/** Commands, and the options, outputs and certificates that they share; the larger ones have packages. Nothing else knows picocli. */
 package sunbeam.app.cli;

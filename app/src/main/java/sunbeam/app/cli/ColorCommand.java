@@ -1,4 +1,4 @@
-package sunbeam.app.cli.color;
+package sunbeam.app.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -14,15 +14,7 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.DisplayOptions;
-import sunbeam.app.cli.FileCommand;
-import sunbeam.app.cli.LightOptions;
-import sunbeam.app.cli.MethodOptions;
-import sunbeam.app.cli.PatchOptions;
 import sunbeam.app.cli.PatchOptions.IndexOption;
-import sunbeam.app.cli.Range;
-import sunbeam.app.cli.ResumeOption;
-import sunbeam.app.cli.SettingOptions;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.FileGroup;

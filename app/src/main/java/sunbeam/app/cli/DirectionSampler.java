@@ -1,4 +1,4 @@
-package sunbeam.app.measure.errors;
+package sunbeam.app.cli;
 
 import java.util.Optional;
 import java.util.SplittableRandom;

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.color;
+package sunbeam.app.cli;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -6,9 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
-import sunbeam.app.cli.LightOptions;
-import sunbeam.app.cli.Range;
-import sunbeam.app.cli.color.ColorReport.ViewColor;
+import sunbeam.app.cli.ColorReport.ViewColor;
 import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;

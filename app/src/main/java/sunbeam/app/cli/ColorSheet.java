@@ -1,4 +1,4 @@
-package sunbeam.app.cli.color;
+package sunbeam.app.cli;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import sunbeam.app.cli.color.ColorReport.ViewColor;
+import sunbeam.app.cli.ColorReport.ViewColor;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.PlotStyle;
 import sunbeam.app.files.plot.Sheet;

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.color;
+package sunbeam.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.cli.color.ColorReport.ViewColor;
+import sunbeam.app.cli.ColorReport.ViewColor;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.CieTable;

@@ -1,4 +1,4 @@
-package sunbeam.app.measure.errors;
+package sunbeam.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.measure.errors.Certificate.Limits;
+import sunbeam.app.cli.Certificate.Limits;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.errors.Comparison;

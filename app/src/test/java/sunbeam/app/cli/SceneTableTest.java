@@ -1,4 +1,4 @@
-package sunbeam.app.measure.errors;
+package sunbeam.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.measure.errors.Certificate.Limits;
+import sunbeam.app.cli.Certificate.Limits;
 import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.InAScene;
 import sunbeam.app.render.PartSum;

@@ -1,2 +1,0 @@
-/** Command {@code color}: colors by viewing angle. */
-package sunbeam.app.cli.color;
