@@ -72,7 +72,6 @@ public record ColorTable(
      *
      * @param relief effective relief in meters, see {@link TableDesign#depth}
      * @param ordersIsolated whether orders stand alone in the dark, as a grating's do; false with slopes
-     * @param slopeDeviation standard deviation of the slopes of relief finer than a pixel; 0 for none
      */
     public static ColorTable within(
             double tolerance, GaussianArea area, double relief, boolean ordersIsolated, double slopeDeviation) {

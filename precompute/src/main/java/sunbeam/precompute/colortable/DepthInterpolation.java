@@ -62,7 +62,6 @@ record DepthInterpolation(double[] depths, int taps, double[] denominators) {
         return nodes;
     }
 
-    /** Returns slices in equal steps. */
     static DepthInterpolation equallySpaced(double lowest, double range, double widestStep) {
         int slices = spaced(range, widestStep);
         double step = range / (slices - 1);

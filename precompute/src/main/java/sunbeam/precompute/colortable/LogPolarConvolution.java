@@ -31,9 +31,7 @@ final class LogPolarConvolution {
     private final double[][][] spectra;
     private final double[][] sum;
 
-    /**
-     * Positions begin at ln |(u, v)| {@code first}; their wavelengths have equal steps of ln lambda; depths are |w| of the slices.
-     */
+    /** Positions begin at ln |(u, v)| {@code first}; their wavelengths have equal steps of ln lambda; depths are |w| of the slices. */
     LogPolarConvolution(double first, LogRadialBand.Positions positions, double[] depths, PowerSpectrum spectrum) {
         WavelengthNodes wavelengths = positions.wavelengths();
         int nodes = wavelengths.count();
@@ -45,8 +43,11 @@ final class LogPolarConvolution {
         this.padded = Math.max(2, Integer.highestOneBit(length - 1) << 1);
         double shortest = Math.log(wavelengths.wavelengths()[0]);
         double step = (Math.log(wavelengths.wavelengths()[nodes - 1]) - shortest) / (nodes - 1);
-        // A kernel's last coefficient belongs to the frequency of the first position at the longest wavelength.
-        double lowest = first - shortest - interpolation.lastMiddle() * step;
+        // A kernel's last coefficient belongs to the frequency of the first position at the longest wavelength; the
+        // first
+        // average's center lies before the sequence.
+        int lastCenter = (interpolation.knots - 1 - AverageProjection.BEFORE) * positions.stride();
+        double lowest = first - shortest - lastCenter * step;
         this.knots = new WindowedSpectrum.Knots(lowest, positions.stride() * step, length);
         double[][][] atNodes = new double[slices][nodes][];
         for (int slice = 0; slice < slices; slice++) {
@@ -224,11 +225,6 @@ final class LogPolarConvolution {
 
         static int knots(int stride, int length) {
             return (length - 1) / stride + POINTS;
-        }
-
-        /** Returns the index at the center of the last average; that of the first lies before the sequence. */
-        int lastMiddle() {
-            return (knots - 1 - BEFORE) * stride;
         }
 
         double[] coefficients(double[] sequence) {

@@ -62,16 +62,12 @@ public record PqMethod(
                             MethodSettings.REPLICAS,
                             MethodSettings.FRESNEL)),
             Choices.none().with(MethodSettings.AVERAGE, Average.COHERENT),
-            PqMethod::of);
-
-    private static PqMethod of(Choices choices) {
-        return new PqMethod(
-                new TableChoices(choices),
-                interpolation(choices),
-                GaussianArea.windowOf(choices),
-                choices.find(MethodSettings.REPLICAS),
-                FresnelFactor.of(choices));
-    }
+            choices -> new PqMethod(
+                    new TableChoices(choices),
+                    interpolation(choices),
+                    GaussianArea.windowOf(choices),
+                    choices.find(MethodSettings.REPLICAS),
+                    FresnelFactor.of(choices)));
 
     public static PeriodInterpolation interpolation(Choices choices) {
         return choices.get(

@@ -64,7 +64,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             // One bin more, since float32 may round to the next.
             Neighborhood around = sampling.neighborhood();
             SpectrumPlan plan = new SpectrumPlan(
-                    choices.promisedTolerance(),
+                    choices.choices().find(MethodSettings.TOLERANCE),
                     range,
                     expansion,
                     range.bandX(map.width(), around.radiusX() + 1),

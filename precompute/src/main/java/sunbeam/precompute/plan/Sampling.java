@@ -31,7 +31,6 @@ public sealed interface Sampling permits Sampling.BinSampling, Sampling.OrderSam
     /** Returns the loop steps of the slowest pixel; unrolled loops do not count. */
     long loopSteps(SpectrumPlan plan);
 
-    /** Returns the sampling whose tables serve a use. */
     default Sampling serving(MethodUse use) {
         return this;
     }

@@ -60,7 +60,6 @@ public record SpectrumPlan(
         return area.window();
     }
 
-    /** Returns the shapes of the arrays of {@link #tables}, with an upper limit of layers where unknown. */
     List<ArrayLayout> layouts(MethodUse use) {
         return sampling.serving(use).layouts(this, use);
     }
@@ -163,7 +162,6 @@ public record SpectrumPlan(
                 + MemoryNeed.inWords(MemoryNeed.of(this, patchRows).textureBytes());
     }
 
-    /** Returns a line per choice, with its reason. */
     public List<String> reasons() {
         return List.of(
                 "sizes: " + terms() + ", " + sampling.summary(range) + ", " + bins(),

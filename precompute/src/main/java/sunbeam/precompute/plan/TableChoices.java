@@ -50,11 +50,6 @@ public record TableChoices(Choices choices) {
         return Preset.isThesis(choices);
     }
 
-    /** Returns the relative error; empty for the thesis's choices, which promise nothing. */
-    Optional<Double> promisedTolerance() {
-        return choices.find(MethodSettings.TOLERANCE);
-    }
-
     double tolerance() {
         return choices.get(MethodSettings.TOLERANCE);
     }

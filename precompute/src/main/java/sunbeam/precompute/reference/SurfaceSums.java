@@ -188,7 +188,13 @@ record SurfaceSums(HeightLevels heights, boolean isTabulated) {
                 }
             }
             for (int i = 0; i < axis.count; i++) {
-                weights.turn(i, angle(frequency * axis.step * (i - axis.origin)));
+                double angle = angle(frequency * axis.step * (i - axis.origin));
+                double cosine = Math.cos(angle);
+                double sine = Math.sin(angle);
+                double a = weights.real[i];
+                double b = weights.imaginary[i];
+                weights.real[i] = a * cosine - b * sine;
+                weights.imaginary[i] = a * sine + b * cosine;
             }
             return weights;
         }
@@ -209,15 +215,6 @@ record SurfaceSums(HeightLevels heights, boolean isTabulated) {
         private void add(int index, double amount, double angle) {
             real[index] += amount * Math.cos(angle);
             imaginary[index] += amount * Math.sin(angle);
-        }
-
-        private void turn(int index, double angle) {
-            double cosine = Math.cos(angle);
-            double sine = Math.sin(angle);
-            double a = real[index];
-            double b = imaginary[index];
-            real[index] = a * cosine - b * sine;
-            imaginary[index] = a * sine + b * cosine;
         }
 
         /** Whole turns are removed first, since they cost digits. */

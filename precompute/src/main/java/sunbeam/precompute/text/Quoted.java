@@ -6,7 +6,6 @@ public final class Quoted {
 
     private Quoted() {}
 
-    /** Returns the text in double quotes, cut after 60 characters. */
     public static String of(String text) {
         String shown = text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text;
         return '"' + oneLine(shown) + '"';
