@@ -6,10 +6,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Complete text of one shader stage, with expanded includes and the origin of each line. {@link jrtr.glsl.ShaderLibrary#load} creates it.
- *
- * @param text the compiler's input: ASCII, lines end with {@code \n}
- * @param origins origin of each line of the text
+ * Complete text of one shader stage, ASCII with lines that end with {@code \n}, with expanded includes and the origin of each line. {@link
+ * jrtr.glsl.ShaderLibrary#load} creates it.
  */
 public record ShaderSource(String name, String text, List<Line> origins) {
     // Forms of the messages of Mesa, of NVIDIA, and of AMD, Intel on Windows and Apple.

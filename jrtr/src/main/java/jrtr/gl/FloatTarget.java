@@ -25,10 +25,8 @@ public final class FloatTarget extends Resource {
     }
 
     /**
-     * Shape of a render target, each side at least 1 pixel.
-     *
-     * @param colors number of color images, at least 1; the fragment shader's {@code layout(location = i) out vec4} writes image i
-     * @param depth whether there is a 32-bit float depth image
+     * Shape of a render target, each side at least 1 pixel: color images, of which the fragment shader's {@code layout(location = i) out
+     * vec4} writes image i, and perhaps a depth image of 32-bit floats.
      */
     public record Spec(int width, int height, int colors, boolean depth, Format format) {
         public Spec(int width, int height, int colors, boolean depth) {

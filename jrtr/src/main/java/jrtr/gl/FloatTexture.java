@@ -78,13 +78,7 @@ public final class FloatTexture extends Texture {
         uploadLayer(0, FloatBuffer.wrap(texels));
     }
 
-    /**
-     * Uploads one layer.
-     *
-     * @param layer from 0
-     * @param texels width x height x channels floats, from the buffer's position, which does not change, to its limit. Direct buffers are
-     *     not copied.
-     */
+    /** Uploads width x height x channels floats to a layer, from 0. The buffer's position stays; direct buffers are not copied. */
     public void uploadLayer(int layer, FloatBuffer texels) {
         upload(layer, texels.slice(), GL3.GL_FLOAT);
     }

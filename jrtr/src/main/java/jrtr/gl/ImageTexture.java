@@ -36,10 +36,8 @@ public final class ImageTexture extends Texture {
     }
 
     /**
-     * Mip level of an image. The CPU computes mipmaps, since drivers round means down, level by level: a scene by the thesis's preset then
-     * differs by 2.3 of CIE 1976 in the mean.
-     *
-     * @param rgba 4 x width x height bytes, red first
+     * Mip level of an image: 4 x width x height bytes, red first. The CPU computes mipmaps, since drivers round means down, level by level:
+     * a scene by the thesis's preset then differs by 2.3 of CIE 1976 in the mean.
      */
     record MipLevel(int width, int height, byte[] rgba, Encoding encoding) {
         private static final int CHANNELS = 4;

@@ -178,13 +178,7 @@ public final class RenderContext implements AutoCloseable {
             String shadingLanguageVersion,
             boolean software,
             Limits limits) {
-        /**
-         * Largest sizes and counts that a driver allows.
-         *
-         * @param textureSize texels along a side of a texture
-         * @param colors color images of a render target that one draw can write
-         * @param varyings scalar components that a vertex shader can pass to a fragment shader
-         */
+        /** Largest sizes and counts: texels along a texture's side, layers, a target's pixels and color images, scalar varyings. */
         public record Limits(
                 int textureSize, int arrayLayers, int targetWidth, int targetHeight, int colors, int varyings) {}
     }

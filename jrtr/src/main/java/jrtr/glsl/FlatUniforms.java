@@ -38,12 +38,7 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
         return type.startsWith("mat") ? size * size : size;
     }
 
-    /**
-     * Rewrites a pair of shaders.
-     *
-     * @param vertex shader without outputs, with a line that begins with {@code void main()}
-     * @param mostComponents limit of scalar components between the stages
-     */
+    /** Rewrites a vertex shader without outputs, a line of which begins with {@code void main()}, and its fragment shader. */
     public static FlatUniforms of(ShaderSource vertex, ShaderSource fragment, int mostComponents) {
         Map<String, Uniform> moved = moved(fragment, mostComponents);
         return new FlatUniforms(withOutputs(vertex, moved), withInputs(fragment, moved));

@@ -28,10 +28,8 @@ public interface ShaderLibrary {
     }
 
     /**
-     * Loads a file and expands its includes.
-     *
-     * @param defines values by name; they become {@code #define NAME value} lines after {@code #version}, sorted by name
-     * @throws GraphicsException for a missing file or define, with file and line
+     * Loads a file and expands its includes. Defines become {@code #define NAME value} lines after {@code #version}, sorted by name. A
+     * missing file or define is a {@link GraphicsException} with file and line.
      */
     default ShaderSource load(String name, Map<String, String> defines) {
         return new IncludeExpansion(this, defines).expand(name);

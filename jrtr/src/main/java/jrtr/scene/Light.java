@@ -6,10 +6,8 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
 /**
- * Parallel rays, as from the sun.
- *
- * @param towards direction from the scene to the light in world space, of a length above 0; normalized
- * @param radiance linear color in the unit of the application's shaders
+ * Parallel rays, as from the sun. {@code towards} points from the scene to the light in world space, with any length above 0, and is
+ * normalized; the radiance is a linear color in the unit of the application's shaders.
  */
 public record Light(Vector3fc towards, Vector3fc radiance) {
     /** Maximum number of lights in a scene, MAX_LIGHTS of jrtr/lights.glsl. */

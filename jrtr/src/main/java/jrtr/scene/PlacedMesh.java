@@ -10,11 +10,7 @@ import jrtr.gl.VertexBuffer;
 import org.joml.Matrix3f;
 import org.joml.Matrix4fc;
 
-/**
- * Mesh in world space with its material. Owns neither mesh nor program nor textures.
- *
- * @param modelToWorld affine and invertible matrix M from the mesh's coordinates v to world space, {@code M * v}
- */
+/** Mesh with its material, placed in world space by an affine, invertible matrix M: {@code M * v}. Owns none of its resources. */
 public record PlacedMesh(
         VertexBuffer mesh,
         Matrix4fc modelToWorld,

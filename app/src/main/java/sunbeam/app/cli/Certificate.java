@@ -131,10 +131,7 @@ public record Certificate(
         return Double.isInfinite(limit) ? "" : Text.format("%s %.2g (at most %.2g)", what, value, limit);
     }
 
-    /**
-     * Compares random pixels of a BRDF map, numbered row by row from the top left, with the exact reference. The material's reflectance is
-     * relative to that of the standard material.
-     */
+    /** Compares random pixels of a BRDF map, row by row from the top left; the material's reflectance is relative to the standard one's. */
     public record Certifier(
             ExactLight reference,
             IntFunction<DirectionPair> pairs,
@@ -149,11 +146,7 @@ public record Certificate(
 
         /**
          * Evaluates {@code count} random pixels of the surface, at most all, in parallel; at most a quarter are dark if there are enough
-         * bright ones.
-         *
-         * @param picture linear XYZ of rho
-         * @param exposure factor for X, Y, Z before colors are compared
-         * @param tolerance relative error for which the picture was made
+         * bright ones. The picture is linear XYZ of rho; the exposure is its factor before colors are compared.
          */
         public Certificate certify(LinearPicture picture, int count, double exposure, double tolerance) {
             List<Comparison> all = display.map("Certificate", draw(picture, count), pixel -> compare(picture, pixel));
@@ -203,11 +196,8 @@ public record Certificate(
         private static final int MOST_TRIES = 200;
 
         /**
-         * Draws random pixels, fewer than {@code count} if the mesh fills fewer, by two renderers of a scene.
-         *
-         * @param drawn renderer to be judged
-         * @param exact renderer of the same scene by points
-         * @param exposure factor for X, Y, Z before colors are compared
+         * Draws random pixels, fewer than {@code count} if the mesh fills fewer, by the renderer to be judged and by one of the same scene
+         * by points. The exposure is a factor for X, Y, Z before colors are compared.
          */
         public Certificate certify(
                 PartSum drawn, Scene scene, PartSum exact, Scene points, double exposure, int count) {

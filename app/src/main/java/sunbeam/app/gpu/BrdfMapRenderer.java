@@ -10,12 +10,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
-/**
- * Draws BRDF maps, each of one light direction, tile by tile, so that no draw takes seconds.
- *
- * @param size pixels a side
- * @param turn angle of the patch about the normal, in radians, counterclockwise
- */
+/** Draws BRDF maps of {@code size} pixels a side, tile by tile: no draw takes seconds. The patch's turn is in radians, counterclockwise. */
 public record BrdfMapRenderer(
         RenderContext context, UploadedTables method, ShaderProgram program, FloatTarget target, int size, double turn)
         implements AutoCloseable {

@@ -213,10 +213,8 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * Deletes files until those used last are within the limit; processes that have one open go on reading it.
-     *
-     * @param inUse file that counts as the one used last
-     * @return the deleted files, the one used longest ago first
+     * Deletes files until those used last, and the one in use, are within the limit; processes that have one open go on reading it. Returns
+     * the deleted files, the one used longest ago first.
      */
     public List<Entry> shrink(long limitBytes, Optional<Path> inUse) {
         List<Entry> newestFirst = new ArrayList<>(entries());

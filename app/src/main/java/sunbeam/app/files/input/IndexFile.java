@@ -24,11 +24,7 @@ public final class IndexFile {
         return text.strip().toLowerCase(Locale.ROOT).endsWith(".csv");
     }
 
-    /**
-     * Reads n and k by the wavelength in micrometers: {@code wl,n,k}, or {@code wl,n} and below {@code wl,k}.
-     *
-     * @throws InputException if the file is missing, is no such table, or does not cover 380 to 780 nm
-     */
+    /** Reads {@code wl,n,k}, or {@code wl,n} above {@code wl,k}, wl in micrometers; InputException unless it covers 380 to 780 nm. */
     public static RefractiveIndex read(Path file) {
         InputException.requireSmall(file, LARGEST_BYTES, "it is larger than 1 MiB; is this a table of an index?");
         return InputException.naming(file, () -> parse(Files.readAllLines(file)));

@@ -84,12 +84,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /**
-     * Throws {@link OutputException} if a file is larger than the free space.
-     *
-     * @param takes words of the message before the number of bytes, such as "the file takes"
-     * @param remedy words of the message before "or choose another folder"
-     */
+    /** Refuses a file that exceeds the free space: "TAKES 3 MB and 2 MB are free; REMEDY, or choose another folder". */
     public static void requireRoom(Path target, long bytes, String takes, String remedy) {
         long free = OutputFolder.of(target).toFile().getUsableSpace();
         if (bytes > free && !OutputFolder.isStandardOutput(target)) {

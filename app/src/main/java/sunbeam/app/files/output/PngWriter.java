@@ -24,12 +24,7 @@ public final class PngWriter {
 
     private PngWriter() {}
 
-    /**
-     * Writes an sRGB picture, whole or not at all; returns its path.
-     *
-     * @param text values by keyword of 1 to 79 printable ASCII characters
-     * @throws OutputException if the file cannot be written
-     */
+    /** Writes an sRGB picture whole, or throws OutputException; returns its path. Keywords are 1 to 79 printable ASCII characters. */
     public static Path write(Path target, Overwrite overwrite, BufferedImage image, Map<String, String> text) {
         return AtomicFile.write(target, overwrite, stream -> write(stream, image, text));
     }

@@ -195,12 +195,7 @@ final class CachedBaker implements Scheduler.TileBaker {
         }
     }
 
-    /**
-     * Tiles that are baked without feedback, so that parts that come into view have colors at once.
-     *
-     * @param coarsest all tiles of the coarsest level; none if they are too many
-     * @param prefetched all tiles of coarse levels
-     */
+    /** Tiles baked without feedback, for parts that come into view: all of the coarsest level, if not too many, and of coarse levels. */
     record PrefetchSet(TileSet coarsest, TileSet prefetched, boolean isWhole) {
         // Baking these takes some seconds on one processor.
         private static final int MOST_PREFETCHED = 6000;

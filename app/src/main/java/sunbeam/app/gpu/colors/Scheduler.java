@@ -22,11 +22,7 @@ final class Scheduler implements AutoCloseable {
 
     /** Not thread-safe. */
     interface TileBaker extends AutoCloseable {
-        /**
-         * Bakes or reads some of the missing tiles, of which there is at least one.
-         *
-         * @throws java.util.concurrent.CancellationException soon after the token is canceled; the finished samples are reused
-         */
+        /** Bakes or reads some of the missing tiles, one or more, or throws CancellationException; finished samples are reused. */
         BakedTiles bake(TileSet missing, CancellationToken token);
 
         @Override
@@ -53,11 +49,7 @@ final class Scheduler implements AutoCloseable {
     private boolean isInteractive;
     private boolean isClosing;
 
-    /**
-     * @param baker used, and closed in the end, by the executor alone
-     * @param executor runs tasks one at a time, in order
-     * @param onBakedTiles called by the executor when {@link #poll()} has tiles
-     */
+    /** The executor runs tasks in order, one at a time; it alone uses and closes the baker, and calls back when poll() has tiles. */
     Scheduler(TileBaker baker, Executor executor, Runnable onBakedTiles) {
         this.baker = baker;
         this.executor = executor;

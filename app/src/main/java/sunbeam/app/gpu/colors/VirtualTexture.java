@@ -109,10 +109,8 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /**
-     * Bakes requested tiles by an executor from now on, the coarsest level at once. May be called again after a failure.
-     *
-     * @param executor runs tasks one at a time, in order
-     * @param onBakedTiles called by the executor when {@link #drain} has tiles
+     * Bakes requested tiles on an executor, which runs tasks in order, from now on, the coarsest level at once. The executor calls {@code
+     * onBakedTiles} when {@link #drain} has tiles. May be called again after a failure.
      */
     public void bakeOn(Executor executor, Runnable onBakedTiles) {
         if (scheduler.isEmpty()) {
