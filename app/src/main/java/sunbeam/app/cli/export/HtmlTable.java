@@ -8,7 +8,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
 
 /** A self-contained HTML page that draws a map and a sphere under a light that the mouse moves. */
-record HtmlTable(double tolerance) implements TableWriter {
+final class HtmlTable implements TableWriter {
     // Quantization step of the colors' logarithms to base 2, per unit of tolerance.
     private static final double OCTAVES_PER_TOLERANCE = 0.5;
     // Lower bound of the compressed bytes per texel that directions reach.
@@ -16,6 +16,14 @@ record HtmlTable(double tolerance) implements TableWriter {
     private static final int PAGE_BYTES = 20_000;
     // Limit of texels, as the graphics cards of telephones hold.
     private static final long MOST_TEXELS = 1 << 24;
+
+    private final double tolerance;
+    // The last grid: its size and contents are needed several times, but compressed once. A writer's grids differ in their level.
+    private QuantizedGrid packed;
+
+    HtmlTable(double tolerance) {
+        this.tolerance = tolerance;
+    }
 
     @Override
     public long leastBytes(GridShape shape) {
@@ -33,12 +41,14 @@ record HtmlTable(double tolerance) implements TableWriter {
     }
 
     private QuantizedGrid packed(ColorGrid grid) {
-        return QuantizedGrid.of(grid, OCTAVES_PER_TOLERANCE * tolerance);
+        if (packed == null || !grid.level().equals(packed.grid().level())) {
+            packed = QuantizedGrid.of(grid, OCTAVES_PER_TOLERANCE * tolerance);
+        }
+        return packed;
     }
 
     @Override
     public Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
-        QuantizedGrid packed = packed(grid);
         Map<String, Object> table = metadata.fields(
                 "square roots of CIE X, Y, Z of diffracted power, of logarithms in equal steps",
                 "square roots linear along u and v, their squares cubic along w");
@@ -48,7 +58,7 @@ record HtmlTable(double tolerance) implements TableWriter {
         table.put("slices", shape.depth().count());
         table.put("octaves", OCTAVES_PER_TOLERANCE * tolerance);
         table.put("floor", QuantizedGrid.FLOOR);
-        table.put("most", packed.most());
+        table.put("most", packed(grid).most());
         table.put("largest", Math.toDegrees(shape.largestAngle()));
         table.put("theta", metadata.theta());
         table.put("exposure", metadata.exposure());
@@ -57,7 +67,7 @@ record HtmlTable(double tolerance) implements TableWriter {
                 // In a script element "</" would end the element.
                 "JSON", new ObjectMapper().valueToTree(table).toString().replace("<", "\\u003c"),
                 "SHADER", function + "\n" + ShaderText.read("display.glsl"),
-                "DATA", Base64.getEncoder().encodeToString(packed.packed()));
+                "DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
         String page = ShaderText.fill(ShaderText.of("page.html", metadata, 0), values);
         return new Output(Map.of(".html", AtomicFile.StreamContent.of(page)), metadata);
     }
