@@ -35,6 +35,8 @@ final class MapStage {
     private final RenderContext context;
     private final TimedTiles tiles = new TimedTiles(System::nanoTime);
     private CancellationToken newest = new CancellationToken();
+    // Tables and light of the displayed coarse map; null if another map is displayed.
+    private List<Object> coarse;
     private long coarseDrawn = System.nanoTime() - COARSE_NANOSECONDS;
 
     private record Part(SceneData data, VirtualTexture colors) {}
@@ -53,6 +55,7 @@ final class MapStage {
             boolean isFinal,
             BooleanSupplier interrupted,
             BiConsumer<BufferedImage, Boolean> drawn) {
+        coarse = null;
         int[] sizes = isFinal ? new int[] {PREVIEW_SIZE, SIZE} : new int[] {PREVIEW_SIZE};
         for (int size : sizes) {
             try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size, 0)) {
@@ -68,7 +71,10 @@ final class MapStage {
     /** Draws a small map from the finest wholly resident level of color tables, in some milliseconds, at most ten times a second. */
     void drawCoarse(List<SceneSession> sessions, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
         long now = System.nanoTime();
-        if (now - coarseDrawn >= COARSE_NANOSECONDS) {
+        List<Object> wanted =
+                List.of(sessions.stream().map(SceneSession::virtualTexture).toList(), light);
+        if (!wanted.equals(coarse) && now - coarseDrawn >= COARSE_NANOSECONDS) {
+            coarse = wanted;
             coarseDrawn = now;
             drawn.accept(map(parts(sessions), light, PREVIEW_SIZE, VirtualTexture::coarseColors), false);
         }
@@ -78,6 +84,7 @@ final class MapStage {
     void drawLater(List<SceneSession> sessions, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
         CancellationToken token = new CancellationToken();
         newest = token;
+        coarse = null;
         List<Part> parts = parts(sessions);
         parts.get(0).colors.whenIdle(token, () -> {
             for (int size : new int[] {PREVIEW_SIZE, SIZE}) {

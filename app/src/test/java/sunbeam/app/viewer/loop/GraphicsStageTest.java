@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
@@ -22,6 +24,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ViewerInAWindow;
+import sunbeam.app.viewer.loop.Stage.MapRequest;
 import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.loop.StageSessions.FrameScale;
 import sunbeam.app.viewer.model.LoadedScene;
@@ -30,6 +33,7 @@ import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.setting.Choices;
 
 /** Pictures of one state, from the first preview to the final one; size and exposure of moving ones. */
@@ -44,16 +48,8 @@ class GraphicsStageTest {
     @Test
     @NeedsDisplay
     void aStillPictureKeepsItsBrightnessFromItsFirstColorsToItsLastTile() throws InterruptedException {
-        Scene scene = ViewerInAWindow.scene()
-                .with(Choices.none()
-                        .with(Methods.METHOD, TableMethod.TYPE)
-                        .with(SceneSettings.ROUGHNESS, Math.toRadians(2)));
-        SceneLoader loader =
-                new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), line -> {});
-        ViewState state = new ViewState(new LoadedScene(loader.parts(scene)), WIDTH, HEIGHT, false);
         try (GraphicsStage stage = new GraphicsStage()) {
-            stage.update(state, () -> {});
-            await(stage, () -> stage.coarsestShare() == 1);
+            updateToCoarsest(stage);
 
             Stage.Preview first = stage.byTiles().orElseThrow();
             assertThat(first.hasColors()).isTrue();
@@ -70,6 +66,33 @@ class GraphicsStageTest {
             assertThat(light(finer.image())).isBetween(light / TENTH_OF_A_STOP, light * TENTH_OF_A_STOP);
             assertThat(light(last.image())).isBetween(light / TENTH_OF_A_STOP, light * TENTH_OF_A_STOP);
         }
+    }
+
+    @Test
+    @NeedsDisplay
+    void aPreviewOfTheMapIsNotDrawnAgainForTheSameLight() throws InterruptedException {
+        List<Integer> drawn = new ArrayList<>();
+        try (GraphicsStage stage = new GraphicsStage()) {
+            updateToCoarsest(stage);
+            stage.interactive(true);
+            for (int theta : new int[] {0, 0, 30}) {
+                Thread.sleep(101); // they are drawn ten times a second at most
+                MapRequest request = new MapRequest(Direction.ofDegrees(theta, 0), 0);
+                stage.map(request, false, () -> false, (image, isFinal) -> drawn.add(theta));
+            }
+        }
+        assertThat(drawn).containsExactly(0, 30);
+    }
+
+    private void updateToCoarsest(GraphicsStage stage) throws InterruptedException {
+        Scene scene = ViewerInAWindow.scene()
+                .with(Choices.none()
+                        .with(Methods.METHOD, TableMethod.TYPE)
+                        .with(SceneSettings.ROUGHNESS, Math.toRadians(2)));
+        SceneLoader loader =
+                new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), line -> {});
+        stage.update(new ViewState(new LoadedScene(loader.parts(scene)), WIDTH, HEIGHT, false), () -> {});
+        await(stage, () -> stage.coarsestShare() == 1);
     }
 
     private static void await(GraphicsStage stage, BooleanSupplier done) throws InterruptedException {
