@@ -51,8 +51,12 @@ final class Ground implements AutoCloseable {
         this.sky = context.createFloatTexture(
                 "sky above the ground",
                 FloatTexture.Spec.flat(side, side, FloatTexture.Format.R32F).with(FloatTexture.Filter.LINEAR));
-        sky.upload(seen.ofGround());
-        this.program = Resource.orClose(() -> program(context, 0), sky::close);
+        this.program = Resource.orClose(
+                () -> {
+                    sky.upload(seen.ofGround());
+                    return program(context, 0);
+                },
+                sky::close);
     }
 
     private static ShaderProgram program(RenderContext context, int screen) {

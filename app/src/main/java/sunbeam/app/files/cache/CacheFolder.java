@@ -2,6 +2,7 @@ package sunbeam.app.files.cache;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -153,6 +154,8 @@ public record CacheFolder(Path path, String allowed) {
             }
         } catch (IOException failure) {
             throw new UncheckedIOException("cannot list " + path, failure);
+        } catch (DirectoryIteratorException failure) {
+            throw new UncheckedIOException("cannot list " + path, failure.getCause());
         }
         entries.sort(Comparator.comparing(Entry::lastUsed)
                 .reversed()
