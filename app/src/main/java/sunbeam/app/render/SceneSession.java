@@ -246,7 +246,7 @@ public final class SceneSession implements AutoCloseable {
         return directions;
     }
 
-    /** Returns the point under a pixel, from the top left; empty for background. Throws IllegalArgumentException for a pixel outside. */
+    /** Returns the point under a pixel, from the top left; empty for background. The pixel must lie in the picture. */
     public Optional<Pick> pick(int x, int y, int width, int height) {
         return picking.pick(uploaded, scene(), new View.Area(width, height, new Tile(x, y, 1, 1)));
     }

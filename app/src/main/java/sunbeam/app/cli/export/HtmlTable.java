@@ -18,7 +18,8 @@ final class HtmlTable implements TableWriter {
     private static final long MOST_TEXELS = 1 << 24;
 
     private final double tolerance;
-    // The last grid: its size and contents are needed several times, but compressed once. A writer's grids differ in their level.
+    // The last grid: its size and contents are needed several times, but compressed once. A writer's grids differ in
+    // their level.
     private QuantizedGrid packed;
 
     HtmlTable(double tolerance) {
