@@ -38,7 +38,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Command {@code sunbeam color}: the color of a surface from each viewing angle, as a picture and as numbers. */
 @Command(
@@ -142,7 +142,7 @@ public final class ColorCommand extends FileCommand {
                 reports.stream().anyMatch(report -> report.colors().stream().allMatch(color -> color.rgb() == 0));
         ExitCode judged = doubt(patches, black, "the picture", exposure.isAutomatic(), err());
         for (ColorReport report : reports) {
-            String name = reports.size() > 1 ? Quoted.oneLine(report.patch().name()) + ": " : "";
+            String name = reports.size() > 1 ? Text.oneLine(report.patch().name()) + ": " : "";
             json.text(out()).println(name + String.join(System.lineSeparator() + "  ", report.lines()));
         }
         ColorSheet sheet = new ColorSheet(reports, settings, cie);

@@ -17,7 +17,7 @@ import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Options of the method and its settings; a picocli mixin. */
 public final class MethodOptions extends SettingOptions {
@@ -75,7 +75,7 @@ public final class MethodOptions extends SettingOptions {
      * @param patch name of one of several patches; empty for a single one
      */
     public void print(String patch, MethodPlan method, PrintWriter out) {
-        String name = patch.isEmpty() ? "" : Quoted.oneLine(patch) + ": ";
+        String name = patch.isEmpty() ? "" : Text.oneLine(patch) + ": ";
         print("plan: " + name, method.summary(), method.reasons(), out);
         method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));
     }

@@ -2,7 +2,6 @@ package sunbeam.app.scene;
 
 import java.util.regex.Pattern;
 import sunbeam.precompute.color.Srgb;
-import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Text;
 
 /** Opaque sRGB color, 0xRRGGBB. */
@@ -12,7 +11,8 @@ public record SceneColor(int rgb) {
     /** Throws IllegalArgumentException unless the text is {@code #rrggbb}; the message is for the user. */
     public static SceneColor parse(String text) {
         if (!HEXADECIMAL.matcher(text.strip()).matches()) {
-            throw new IllegalArgumentException(Quoted.of(text) + " is no color; write it as #rrggbb, such as #101418");
+            throw new IllegalArgumentException(
+                    Text.quoted(text) + " is no color; write it as #rrggbb, such as #101418");
         }
         return new SceneColor(Integer.parseInt(text.strip().substring(1), 16));
     }

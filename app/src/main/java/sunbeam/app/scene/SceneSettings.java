@@ -16,7 +16,7 @@ import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /** Settings of scenes, except those of patches and methods. */
@@ -251,7 +251,7 @@ public final class SceneSettings {
     private static OptionalDouble parseExposure(String text) {
         OptionalDouble factor = Decimals.parse(text);
         if (factor.isEmpty() && !text.strip().equals(AUTOMATIC)) {
-            throw new IllegalArgumentException(Quoted.of(text) + " is neither auto nor a number above 0");
+            throw new IllegalArgumentException(Text.quoted(text) + " is neither auto nor a number above 0");
         }
         return factor;
     }
@@ -282,7 +282,7 @@ public final class SceneSettings {
             try {
                 return IndexFile.isName(text) ? of(text.strip()) : of(RefractiveIndex.parse(text));
             } catch (IllegalArgumentException wrong) {
-                throw new IllegalArgumentException(Quoted.of(text) + ": " + wrong.getMessage(), wrong);
+                throw new IllegalArgumentException(Text.quoted(text) + ": " + wrong.getMessage(), wrong);
             }
         }
 

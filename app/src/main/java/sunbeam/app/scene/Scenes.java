@@ -35,7 +35,7 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.JsonObject;
 import sunbeam.precompute.setting.Setting;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /** Finds built-in scenes and reads scene files (docs/scenes.md); messages name file, line and key. */
@@ -73,7 +73,7 @@ public final class Scenes {
         Path file = path(nameOrFile);
         if (!Files.exists(file)) {
             throw new InputException((nameOrFile.endsWith(".json") ? "there is no file " : "there is no scene ")
-                    + Quoted.of(nameOrFile) + "; name a scene file (.json), or one of " + String.join(", ", NAMES));
+                    + Text.quoted(nameOrFile) + "; name a scene file (.json), or one of " + String.join(", ", NAMES));
         }
         return read(file);
     }
@@ -88,7 +88,7 @@ public final class Scenes {
             return Path.of(name);
         } catch (InvalidPathException broken) {
             throw new InputException(
-                    "scene " + Quoted.of(name) + " is no file name (" + broken.getReason() + ")", broken);
+                    "scene " + Text.quoted(name) + " is no file name (" + broken.getReason() + ")", broken);
         }
     }
 
@@ -197,7 +197,7 @@ public final class Scenes {
     private static double coordinate(String text) {
         double meters = Lengths.parse(text);
         if (!(Math.abs(meters) <= LARGEST_NUMBER)) {
-            throw new IllegalArgumentException(Quoted.of(text) + " is out of range; give at most 1000 km");
+            throw new IllegalArgumentException(Text.quoted(text) + " is out of range; give at most 1000 km");
         }
         return meters;
     }

@@ -2,7 +2,6 @@ package sunbeam.precompute.color;
 
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
@@ -30,7 +29,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
     public static WavelengthBand parse(String text) {
         String[] ends = text.strip().split("\\.\\.", -1);
         if (ends.length > 2) {
-            throw new IllegalArgumentException(Quoted.of(text) + " is neither a wavelength nor a band" + REMEDY);
+            throw new IllegalArgumentException(Text.quoted(text) + " is neither a wavelength nor a band" + REMEDY);
         }
         double first = nanometers(ends[0]);
         double last = ends.length == 2 ? nanometers(ends[1]) : first + LINE_NANOMETERS / 2;
@@ -42,7 +41,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         try {
             return new WavelengthBand(first, last);
         } catch (IllegalArgumentException wrong) {
-            throw new IllegalArgumentException(Quoted.of(text) + " " + wrong.getMessage() + REMEDY, wrong);
+            throw new IllegalArgumentException(Text.quoted(text) + " " + wrong.getMessage() + REMEDY, wrong);
         }
     }
 

@@ -6,16 +6,16 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Refusal of an input; the message, always one line, names file, place, value and remedy. */
 public final class InputException extends RuntimeException {
     public InputException(String message) {
-        super(Quoted.oneLine(message));
+        super(Text.oneLine(message));
     }
 
     public InputException(String message, Throwable cause) {
-        super(Quoted.oneLine(message), cause);
+        super(Text.oneLine(message), cause);
     }
 
     /** Throws an exception with the message if the condition holds. */

@@ -24,7 +24,7 @@ import sunbeam.precompute.scan.ScanFormat;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /** Heights of a file, in meters with NaN for missing samples, before any preparation. */
@@ -77,7 +77,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
 
     private static int chosen(Path file, ChannelList channels, String wanted) {
         String nearest = channels.nearest(wanted)
-                .map(name -> " (did you mean " + Quoted.of(name) + "?)")
+                .map(name -> " (did you mean " + Text.quoted(name) + "?)")
                 .orElse("");
         int index = channels.find(wanted)
                 .orElseThrow(() -> new SettingException(
@@ -86,7 +86,8 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         if (!channel.maybeHeights()) {
             throw new SettingException(
                     CHANNEL,
-                    "holds no heights: " + file + " gives it in " + Quoted.of(channel.unit()) + ", no unit of length");
+                    "holds no heights: " + file + " gives it in " + Text.quoted(channel.unit())
+                            + ", no unit of length");
         }
         return index;
     }

@@ -27,7 +27,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.JsonObject;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Loads a built-in patch, else a descriptor (*.json), else a scan or an image. A file called like a built-in patch needs its folder. */
 public final class PatchLoader {
@@ -166,11 +166,11 @@ public final class PatchLoader {
                 Path file = folder.file(heights);
                 InputException.refuseIf(
                         !Files.exists(file),
-                        name + " is " + Quoted.of(heights) + ", but there is no file " + file + "; check the name");
+                        name + " is " + Text.quoted(heights) + ", but there is no file " + file + "; check the name");
                 folder.requireNoWayOut(file);
                 return file;
             } catch (IllegalArgumentException wrong) {
-                throw new InputException(name + " " + Quoted.of(heights) + " " + wrong.getMessage(), wrong);
+                throw new InputException(name + " " + Text.quoted(heights) + " " + wrong.getMessage(), wrong);
             }
         }
     }

@@ -8,8 +8,7 @@ import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.text.Quoted;
-import sunbeam.precompute.text.Similar;
+import sunbeam.precompute.text.Text;
 
 /** Settings of the light and the observer. */
 public final class LightSettings {
@@ -58,9 +57,9 @@ public final class LightSettings {
         return Illuminant.NAMES.stream()
                 .filter(name::equalsIgnoreCase)
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException(Quoted.of(text) + " is not one of "
+                .orElseThrow(() -> new IllegalArgumentException(Text.quoted(text) + " is not one of "
                         + String.join(", ", Illuminant.NAMES) + ", nor a file (.csv)"
-                        + Similar.nearest(name, Illuminant.NAMES)
+                        + Text.nearest(name, Illuminant.NAMES)
                                 .map(near -> " (did you mean " + near + "?)")
                                 .orElse("")));
     }

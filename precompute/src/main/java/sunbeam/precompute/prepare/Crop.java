@@ -5,7 +5,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
@@ -33,7 +33,7 @@ public record Crop(double left, double right, double bottom, double top) {
     private static Crop parse(String text) {
         Matcher matcher = FORM.matcher(text.strip());
         if (!matcher.matches()) {
-            throw new IllegalArgumentException(Quoted.of(text)
+            throw new IllegalArgumentException(Text.quoted(text)
                     + " is no area of four lengths; give LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um"
                     + (HAS_UNIT.matcher(text).find() ? Decimals.commaRemedy(text) : ""));
         }

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Readers of files with binary fields at fixed positions, and samples after them. */
 final class BinaryHeaderReaders {
@@ -118,7 +118,7 @@ final class BinaryHeaderReaders {
         Matcher matcher = pattern.matcher(header);
         ScanException.refuseIf(
                 !matcher.find(),
-                otherwise + " (" + Quoted.of(header.strip()) + "); save a two-dimensional array of heights");
+                otherwise + " (" + Text.quoted(header.strip()) + "); save a two-dimensional array of heights");
         return matcher;
     }
 

@@ -11,7 +11,7 @@ import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import sunbeam.precompute.text.Similar;
+import sunbeam.precompute.text.Text;
 
 /** Channels of a file with unique labels; chooses the channel that holds the heights. */
 public record ChannelList(List<ScanChannel> channels) {
@@ -71,7 +71,7 @@ public record ChannelList(List<ScanChannel> channels) {
     }
 
     public Optional<String> nearest(String name) {
-        return Similar.nearest(name, labels())
+        return Text.nearest(name, labels())
                 .or(() -> labels().stream()
                         .filter(label -> !name.isBlank() && plain(label).startsWith(plain(name)))
                         .findFirst());

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Keys and values of a text header; exceptions name the key. */
 public final class Header {
@@ -96,7 +96,7 @@ public final class Header {
     private ScanException wrong(String key) {
         return new ScanException(
                 has(key)
-                        ? "has " + Quoted.of(text(key, "")) + " for \"" + key + "\" in its header; export it again"
+                        ? "has " + Text.quoted(text(key, "")) + " for \"" + key + "\" in its header; export it again"
                         : "has no \"" + key + "\" in its header; copy or export it again");
     }
 }

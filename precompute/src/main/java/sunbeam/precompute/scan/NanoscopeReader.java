@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -170,7 +169,7 @@ final class NanoscopeReader {
         double ratio = sides.length == 2 ? number(sides[0]) / number(sides[1]) : 0;
         ScanException.refuseIf(
                 !(ratio > 0) || Double.isInfinite(ratio),
-                "has an aspect ratio of " + Quoted.of(text) + "; the file is damaged, export it again");
+                "has an aspect ratio of " + Text.quoted(text) + "; the file is damaged, export it again");
         return ratio;
     }
 }

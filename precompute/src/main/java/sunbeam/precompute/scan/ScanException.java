@@ -1,17 +1,17 @@
 package sunbeam.precompute.scan;
 
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Refusal of a scan file. The message continues the file's name: "ends after 100 bytes; copy it again". */
 public final class ScanException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
     public ScanException(String message) {
-        super(Quoted.oneLine(message));
+        super(Text.oneLine(message));
     }
 
     public ScanException(String message, Throwable cause) {
-        super(Quoted.oneLine(message), cause);
+        super(Text.oneLine(message), cause);
     }
 
     /** Throws an exception with the message if the condition holds. */

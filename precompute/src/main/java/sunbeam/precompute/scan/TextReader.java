@@ -9,7 +9,6 @@ import java.util.StringTokenizer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
-import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Text;
 
 /** Reader of text: after any header, a matrix of numbers from the top row, or points x y z on a grid. */
@@ -249,7 +248,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
             if (MISSING.matcher(text).matches()) {
                 return Double.NaN;
             }
-            throw new ScanException("has " + Quoted.of(text) + " in line " + line
+            throw new ScanException("has " + Text.quoted(text) + " in line " + line
                     + ", where a number should be; remove it, or say which mark its decimals have");
         }
 

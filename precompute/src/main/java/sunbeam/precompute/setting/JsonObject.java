@@ -26,8 +26,6 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Choices.Origin.Place;
-import sunbeam.precompute.text.Quoted;
-import sunbeam.precompute.text.Similar;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
@@ -112,7 +110,7 @@ public final class JsonObject {
                 boolean known = lines.put(at, currentTokenLocation().getLineNr()) != null;
                 if (known && token == JsonToken.FIELD_NAME) {
                     throw new InputException(
-                            here() + "the key " + Quoted.of(currentName()) + " stands twice; remove one");
+                            here() + "the key " + Text.quoted(currentName()) + " stands twice; remove one");
                 }
             }
             return token;
@@ -145,11 +143,11 @@ public final class JsonObject {
                         "%s, line %d: the key %s is missing%s; add for example %s: %s",
                         parser.name,
                         parser.lines.get(place),
-                        Quoted.of(path + key),
-                        Similar.nearest(key, others())
-                                .map(name -> ", and " + Quoted.of(name) + " is unknown")
+                        Text.quoted(path + key),
+                        Text.nearest(key, others())
+                                .map(name -> ", and " + Text.quoted(name) + " is unknown")
                                 .orElse(""),
-                        Quoted.of(key),
+                        Text.quoted(key),
                         example)));
     }
 
@@ -237,7 +235,7 @@ public final class JsonObject {
             case QUANTITY -> {
                 String text = quantity(key, value, Function.identity());
                 String problem = " has no unit; give " + setting.kind().range();
-                require(Decimals.parse(text).isEmpty(), key, Quoted.of(text) + problem);
+                require(Decimals.parse(text).isEmpty(), key, Text.quoted(text) + problem);
                 yield text;
             }
             case FLAG -> {
@@ -300,6 +298,6 @@ public final class JsonObject {
     /** Returns file, line and key for messages; the line is that of this object if the key is absent. */
     public String name(String key) {
         int line = parser.lines.getOrDefault(place.appendProperty(key), parser.lines.get(place));
-        return parser.name + ", line " + line + ": " + Quoted.of(path + key);
+        return parser.name + ", line " + line + ": " + Text.quoted(path + key);
     }
 }

@@ -2,7 +2,7 @@ package sunbeam.precompute.setting;
 
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Setting.Sentence;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Reports an invalid value of a setting. {@link Choices#located} adds the source of the value. */
 public final class SettingException extends RuntimeException {
@@ -25,7 +25,7 @@ public final class SettingException extends RuntimeException {
     }
 
     SettingException(Setting<?> about, Sentence problem, Origin origin, String value, Throwable cause) {
-        super(Quoted.oneLine(origin.complaint(about, value, problem.in(origin))), cause);
+        super(Text.oneLine(origin.complaint(about, value, problem.in(origin))), cause);
         this.about = about;
         this.problem = problem;
         this.value = value;

@@ -6,8 +6,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
-import sunbeam.precompute.text.Quoted;
-import sunbeam.precompute.text.Similar;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
@@ -71,7 +70,7 @@ public record ValueKind<T>(
         Function<String, Boolean> parse = text -> switch (text) {
             case "true" -> true;
             case "false" -> false;
-            default -> throw new IllegalArgumentException(Quoted.of(text) + " is neither true nor false");
+            default -> throw new IllegalArgumentException(Text.quoted(text) + " is neither true nor false");
         };
         return new ValueKind<>("", Form.FLAG, parse, value -> value, String::valueOf, "true or false");
     }
@@ -90,8 +89,8 @@ public record ValueKind<T>(
         Function<String, T> parse = text -> values.stream()
                 .filter(value -> name.apply(value).equals(text.strip().toLowerCase(Locale.ROOT)))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException(Quoted.of(text) + " is not one of " + names
-                        + Similar.nearest(text, values.stream().map(name).toList())
+                .orElseThrow(() -> new IllegalArgumentException(Text.quoted(text) + " is not one of " + names
+                        + Text.nearest(text, values.stream().map(name).toList())
                                 .map(near -> " (did you mean " + near + "?)")
                                 .orElse("")));
         return text(placeholder, parse, name, names);
@@ -127,14 +126,14 @@ public record ValueKind<T>(
 
     private static double number(String text) {
         return Decimals.parse(text)
-                .orElseThrow(
-                        () -> new IllegalArgumentException(Quoted.of(text) + " is no number" + Decimals.remedy(text)));
+                .orElseThrow(() ->
+                        new IllegalArgumentException(Text.quoted(text) + " is no number" + Decimals.remedy(text)));
     }
 
     private static int whole(String text) {
         double value = number(text);
         if (value != Math.rint(value) || Math.abs(value) > Integer.MAX_VALUE) {
-            throw new IllegalArgumentException(Quoted.of(text) + " is no whole number");
+            throw new IllegalArgumentException(Text.quoted(text) + " is no whole number");
         }
         return (int) value;
     }

@@ -3,7 +3,7 @@ package sunbeam.precompute.units;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Locale;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Conversion of angles as text ("30 deg", "30°", "0.5rad"; degrees where no unit is written) to and from radians. */
 public final class Angles {
@@ -21,7 +21,7 @@ public final class Angles {
         String digits = hasUnit ? value.substring(0, value.length() - UNIT_LENGTH) : value;
         double number = Decimals.parse(digits)
                 .orElseThrow(() -> new IllegalArgumentException(
-                        Quoted.of(text) + " is no angle; give degrees as in 30deg, or radians as in 0.5rad"
+                        Text.quoted(text) + " is no angle; give degrees as in 30deg, or radians as in 0.5rad"
                                 + Decimals.commaRemedy(text)));
         return radians ? number : Math.toRadians(number);
     }

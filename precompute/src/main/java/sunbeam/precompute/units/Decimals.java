@@ -5,7 +5,7 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Parsing and formatting of decimal numbers. */
 public final class Decimals {
@@ -23,7 +23,7 @@ public final class Decimals {
             return "";
         }
         String pointed = DECIMAL_COMMA.matcher(text.strip()).replaceAll(".");
-        return pointed.equals(text.strip()) ? "" : "; write a decimal point for the comma, " + Quoted.of(pointed);
+        return pointed.equals(text.strip()) ? "" : "; write a decimal point for the comma, " + Text.quoted(pointed);
     }
 
     /** Returns a remedy for a decimal comma or a percent sign, starting with a semicolon, or "". */

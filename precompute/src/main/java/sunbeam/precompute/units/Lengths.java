@@ -6,7 +6,7 @@ import java.math.RoundingMode;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Conversion of lengths to and from meters, with a unit of pm, nm, um, mm, cm or m, and either Unicode mu for the u. */
 public final class Lengths {
@@ -35,21 +35,21 @@ public final class Lengths {
         Matcher matcher = LENGTH.matcher(trimmed);
         if (trimmed.length() > 100 || !matcher.matches()) {
             throw new IllegalArgumentException(
-                    Quoted.of(text) + " is no length; write a number with its unit, such as 65um or 375 nm");
+                    Text.quoted(text) + " is no length; write a number with its unit, such as 65um or 375 nm");
         }
         String remedy = matcher.group(2).startsWith(",") ? Decimals.commaRemedy(trimmed) : "";
         if (!remedy.isEmpty()) {
-            throw new IllegalArgumentException(Quoted.of(text) + " is no length" + remedy);
+            throw new IllegalArgumentException(Text.quoted(text) + " is no length" + remedy);
         }
         String unit = matcher.group(2).replace('\u00b5', 'u').replace('\u03bc', 'u');
         if (unit.isEmpty()) {
             throw new IllegalArgumentException(
-                    Quoted.of(text) + " has no unit; write the length with pm, nm, um, mm, cm or m, such as 65um");
+                    Text.quoted(text) + " has no unit; write the length with pm, nm, um, mm, cm or m, such as 65um");
         }
         Integer power = POWER_OF_TEN.get(unit);
         if (power == null) {
-            throw new IllegalArgumentException(Quoted.of(text) + " has the unknown unit " + Quoted.of(matcher.group(2))
-                    + "; use pm, nm, um, mm, cm or m");
+            throw new IllegalArgumentException(Text.quoted(text) + " has the unknown unit "
+                    + Text.quoted(matcher.group(2)) + "; use pm, nm, um, mm, cm or m");
         }
         return new BigDecimal(matcher.group(1)).scaleByPowerOfTen(power).doubleValue();
     }

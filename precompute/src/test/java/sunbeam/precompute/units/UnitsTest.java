@@ -9,8 +9,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.precompute.text.Quoted;
-import sunbeam.precompute.text.Similar;
 import sunbeam.precompute.text.Text;
 
 /** Lengths, angles and other words as users write and read them. */
@@ -135,21 +133,21 @@ class UnitsTest {
     @ParameterizedTest
     @CsvSource({"Hight, Height", "heigth, Height", "PHASES, Phase", "Z Sensor, ZSensor", "wieght, Weight"})
     void aSlipOfTheFingerIsNearItsName(String written, String meant) {
-        assertThat(Similar.nearest(written, NAMES)).contains(meant);
+        assertThat(Text.nearest(written, NAMES)).contains(meant);
     }
 
     /** Two wrong letters of three or four would match any short words. */
     @ParameterizedTest
     @ValueSource(strings = {"", "Y", "red", "Topography"})
     void anotherWordIsNearNone(String written) {
-        assertThat(Similar.nearest(written, NAMES)).isEmpty();
+        assertThat(Text.nearest(written, NAMES)).isEmpty();
     }
 
     @Test
     void quotedTextIsCutAndHasNoControlCharacters() {
-        assertThat(Quoted.of("a\nb\r\u001b[1m\u2028c")).isEqualTo("\"a?b??[1m?c\"");
-        assertThat(Quoted.of("x".repeat(60))).isEqualTo("\"" + "x".repeat(60) + "\"");
-        assertThat(Quoted.of("x".repeat(61))).isEqualTo("\"" + "x".repeat(60) + "...\"");
+        assertThat(Text.quoted("a\nb\r\u001b[1m\u2028c")).isEqualTo("\"a?b??[1m?c\"");
+        assertThat(Text.quoted("x".repeat(60))).isEqualTo("\"" + "x".repeat(60) + "\"");
+        assertThat(Text.quoted("x".repeat(61))).isEqualTo("\"" + "x".repeat(60) + "...\"");
     }
 
     @Test

@@ -42,7 +42,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.files.FileNames;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /** Command {@code sunbeam compare}: compares a photograph with a scene that describes it. */
@@ -128,7 +128,7 @@ public final class CompareCommand extends FileCommand {
         ScenePicture picture = draw(loader, scene, drawn);
         PhotoComparison comparison = PhotoComparison.of(linear, picture, Optional.ofNullable(factor));
         BufferedImage sheet = sheet(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
-        String sizes = Quoted.oneLine(photo.getFileName().toString()) + ", " + photograph.width() + "x"
+        String sizes = Text.oneLine(photo.getFileName().toString()) + ", " + photograph.width() + "x"
                 + photograph.height() + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
         String caption = SceneWriter.caption(scene);
         String lines = String.join("\n", comparison.lines());

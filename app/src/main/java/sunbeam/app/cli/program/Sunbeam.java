@@ -48,7 +48,7 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.Messages.HarmlessWriter;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.text.Similar;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /** The program: parses a command line, runs the command, and turns failures into messages and exit codes. */
@@ -306,7 +306,7 @@ public final class Sunbeam {
         /** Returns the suggestions that differ from the argument by a typing mistake only; if there is none, all. */
         private static List<String> closest(List<String> suggestions, String argument) {
             List<String> close = suggestions.stream()
-                    .filter(suggestion -> Similar.are(suggestion, argument.split("=", 2)[0]))
+                    .filter(suggestion -> Text.areSimilar(suggestion, argument.split("=", 2)[0]))
                     .toList();
             return close.isEmpty() ? suggestions : close;
         }

@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.zip.CRC32;
 import java.util.zip.CheckedInputStream;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Reader of a PNG's text chunks (ISO/IEC 15948, 11.3.4), tEXt and uncompressed iTXt, in which Sunbeam's pictures have their parameters. */
 public final class PngText {
@@ -68,7 +68,7 @@ public final class PngText {
             checked.skipNBytes(length - data.length);
             InputException.refuseIf(
                     (int) checksum.getValue() != stream.readInt(),
-                    "it is damaged (checksum of " + (isText ? "its text" : Quoted.oneLine(type)) + ")");
+                    "it is damaged (checksum of " + (isText ? "its text" : Text.oneLine(type)) + ")");
             if (isText) {
                 addEntry(text, type, data);
             }

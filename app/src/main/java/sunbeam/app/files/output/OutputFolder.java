@@ -18,7 +18,7 @@ import java.time.Instant;
 import java.util.function.Supplier;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Folders of outputs: their creation, checks, free names and temporary files. */
 public final class OutputFolder {
@@ -39,7 +39,7 @@ public final class OutputFolder {
     }
 
     public static String name(Path target) {
-        return isStandardOutput(target) ? "written to standard output" : Quoted.oneLine(target.toString());
+        return isStandardOutput(target) ? "written to standard output" : Text.oneLine(target.toString());
     }
 
     /** Creates a missing folder in an existing one; throws {@link OutputException} if it cannot. */

@@ -29,7 +29,7 @@ import java.util.regex.Pattern;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.scan.SampleType;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /**
  * Reads accessors of glTF 2.0 (its section 3.6.2), dense and sparse. Buffers are the file's binary chunk, base64 data in its text, or files
@@ -183,7 +183,7 @@ final class GltfAccessors {
                 String extension = buffer.getExtensions() == null
                         ? ""
                         : " but by the extensions "
-                                + Quoted.of(
+                                + Text.quoted(
                                         String.join(", ", buffer.getExtensions().keySet()));
                 throw new InputException(
                         "buffer " + index + " has no data" + extension + "; export it again, uncompressed");
@@ -200,7 +200,7 @@ final class GltfAccessors {
             }
         }
         if (URI_WITH_SCHEME.matcher(uri).matches()) {
-            throw new InputException("buffer " + index + " lies at " + Quoted.of(uri)
+            throw new InputException("buffer " + index + " lies at " + Text.quoted(uri)
                     + ", and nothing is fetched; put it into the folder, or export it as .glb");
         }
         return GltfDocument.map(fileInFolder(uri));
@@ -211,12 +211,13 @@ final class GltfAccessors {
         try {
             Path path = folder.file(decoded(uri));
             InputException.refuseIf(
-                    !Files.exists(path), "its buffer " + Quoted.of(uri) + " is missing; copy it into the folder, too");
+                    !Files.exists(path),
+                    "its buffer " + Text.quoted(uri) + " is missing; copy it into the folder, too");
             folder.requireNoWayOut(path);
             InputException.requireRegular(path);
             return path;
         } catch (IllegalArgumentException out) {
-            throw new InputException("its buffer " + Quoted.of(uri) + " " + out.getMessage(), out);
+            throw new InputException("its buffer " + Text.quoted(uri) + " " + out.getMessage(), out);
         }
     }
 

@@ -28,7 +28,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /**
  * JSON of a glTF 2.0 file in jgltf's classes, whose own reader would open any URI and allocate any stated size, and the binary chunk of a
@@ -127,7 +127,7 @@ record GltfDocument(GlTF gltf, ByteBuffer binary) {
         JsonNode tree = tree(json);
         String version = tree.path("asset").path("version").asText();
         InputException.refuseIf(
-                !version.startsWith("2."), "it is glTF of version " + Quoted.of(version) + "; export it as glTF 2.0");
+                !version.startsWith("2."), "it is glTF of version " + Text.quoted(version) + "; export it as glTF 2.0");
         ((ObjectNode) tree).retain(READ_PROPERTIES);
         checkAndNormalize(JsonPointer.empty(), tree);
         GlTF gltf;
@@ -145,7 +145,7 @@ record GltfDocument(GlTF gltf, ByteBuffer binary) {
         List<String> required = gltf.getExtensionsRequired() == null ? List.of() : gltf.getExtensionsRequired();
         for (String extension : required) {
             if (!HARMLESS.matcher(extension).matches()) {
-                throw new InputException("it needs the extension " + Quoted.of(extension)
+                throw new InputException("it needs the extension " + Text.quoted(extension)
                         + ", which is not known; export it without (uncompressed)");
             }
         }
@@ -191,9 +191,9 @@ record GltfDocument(GlTF gltf, ByteBuffer binary) {
     }
 
     private static InputException wrong(JsonPointer path, JsonNode value) {
-        return new InputException(
-                "it has " + Quoted.of(value.isTextual() ? value.textValue() : value.toString()) + " at "
-                        + Quoted.of(path.toString()) + ", which glTF 2.0 does not allow; repair it or export it again");
+        return new InputException("it has " + Text.quoted(value.isTextual() ? value.textValue() : value.toString())
+                + " at " + Text.quoted(path.toString())
+                + ", which glTF 2.0 does not allow; repair it or export it again");
     }
 
     /** The parser's own message is for programmers. */

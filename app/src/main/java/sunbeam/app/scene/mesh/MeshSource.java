@@ -15,7 +15,6 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
@@ -78,7 +77,7 @@ public record MeshSource(String name, Unit unit) {
         }
         Path file = Path.of(name);
         if (!Files.exists(file) && !name.contains(".")) {
-            throw new InputException("there is no mesh " + Quoted.of(name) + "; name a mesh file, or one of "
+            throw new InputException("there is no mesh " + Text.quoted(name) + "; name a mesh file, or one of "
                     + String.join(", ", BuiltInMeshes.names()));
         }
         return read(file, unit);

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.StringTokenizer;
 import java.util.regex.Pattern;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Reader of an OBJ file's positions, normals, texture coordinates and faces; all else is ignored. */
 final class ObjFile {
@@ -122,7 +122,7 @@ final class ObjFile {
 
     private InputException noCorner(String word) {
         return new InputException(
-                Quoted.of(word) + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
+                Text.quoted(word) + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
     }
 
     /** Converts an index, 1 for the first element or -1 for the last so far. */

@@ -18,7 +18,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.scan.SampleType;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /**
  * Reader of a PLY file's geometry, text or binary. It reads of element {@code vertex} x, y, z, and optionally nx, ny, nz and texture
@@ -108,7 +108,7 @@ final class PlyFile {
                 }
             } catch (IllegalArgumentException | IndexOutOfBoundsException wrong) {
                 throw new InputException(
-                        "line " + number + " of the header, " + Quoted.of(line)
+                        "line " + number + " of the header, " + Text.quoted(line)
                                 + ", cannot be understood; export the mesh again",
                         wrong);
             }

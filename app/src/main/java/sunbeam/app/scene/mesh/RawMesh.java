@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.util.ResizableDoubleArray;
 import org.joml.Vector3d;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /**
  * Triangles of a file.
@@ -180,7 +180,7 @@ public record RawMesh(
             try {
                 return Double.parseDouble(word);
             } catch (NumberFormatException wrong) {
-                throw new InputException(Quoted.of(word) + " is no number; export the mesh again", wrong);
+                throw new InputException(Text.quoted(word) + " is no number; export the mesh again", wrong);
             }
         }
 
