@@ -30,7 +30,7 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -162,7 +162,7 @@ public final class BenchmarkCommand extends FileCommand {
 
     /** True if the user has chosen neither a method nor a setting that only some methods have. */
     private static boolean isMethodOpen(Choices choices) {
-        List<Setting<?>> common = Setting.union(List.of(TOLERANCE), GaussianArea.SETTINGS, LightSettings.ALL);
+        List<Setting<?>> common = Setting.union(List.of(TOLERANCE), GaussianArea.SETTINGS, MethodSettings.LIGHT);
         return choices.only(Methods.SETTINGS).without(common).chosen().isEmpty();
     }
 

@@ -45,7 +45,7 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.ShaderTables;
@@ -215,7 +215,7 @@ final class MaterialMap {
 
         /** Draws the maps with rings, marks and captions; the choices are those before a scan's size limits the coherence length. */
         BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
-            Choices light = asked.only(LightSettings.ALL)
+            Choices light = asked.only(MethodSettings.LIGHT)
                     .over(asked.only(List.of(SceneSettings.ROTATE_PATCH, SceneSettings.ANGULAR_DIAMETER)));
             String remarks = (light.chosen().isEmpty() ? "" : light.describe() + "; ")
                     + index.map(words -> "refractive index " + words + "; ").orElse("");

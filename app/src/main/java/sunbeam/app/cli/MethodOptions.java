@@ -12,7 +12,6 @@ import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Choices;
@@ -48,7 +47,7 @@ public final class MethodOptions extends SettingOptions {
     /** Returns the options of commands that compute a color table for all directions. */
     public static SettingOptions ofTables(Map<Setting<?>, String> helpTexts) {
         List<Setting<?>> own = List.of(MethodSettings.TOLERANCE, MethodSettings.COHERENCE_LENGTH);
-        return new SettingOptions(Setting.union(own, LightSettings.ALL), helpTexts);
+        return new SettingOptions(Setting.union(own, MethodSettings.LIGHT), helpTexts);
     }
 
     /** Returns the choices with the ensemble average if none is chosen and the method has it: a single coherence area shows speckle. */

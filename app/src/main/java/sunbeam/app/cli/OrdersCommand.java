@@ -29,7 +29,7 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
@@ -64,7 +64,8 @@ public final class OrdersCommand extends FileCommand {
             List.of(LightOptions.PHI_I), Map.of(LightOptions.PHI_I, "across the lines of the grating"));
 
     @Mixin
-    private final SettingOptions light = new SettingOptions(List.of(LightSettings.ILLUMINANT, LightSettings.OBSERVER));
+    private final SettingOptions light =
+            new SettingOptions(List.of(MethodSettings.ILLUMINANT, MethodSettings.OBSERVER));
 
     @Mixin
     private IndexOption index;

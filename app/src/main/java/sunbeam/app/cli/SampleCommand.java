@@ -27,7 +27,6 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
@@ -120,7 +119,7 @@ public final class SampleCommand extends FileCommand {
         UsageException.requireWithin("--count", count, 1, MOST_ROWS);
         certify.count();
         if (channels == RowKind.SPECTRAL) {
-            LightTable.requireNone(asked, LightSettings.ALL);
+            LightTable.requireNone(asked, MethodSettings.LIGHT);
         }
         TaskPart part = TaskPart.parse(task);
         Ending.ROWS.require("--output", output);

@@ -16,7 +16,7 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -96,7 +96,7 @@ public record SceneMethod(Choices chosen) {
     }
 
     public Choices light() {
-        return chosen.only(LightSettings.ALL);
+        return chosen.only(MethodSettings.LIGHT);
     }
 
     public GaussianArea area() {
@@ -110,7 +110,7 @@ public record SceneMethod(Choices chosen) {
     public SceneMethod with(Choices others) {
         List<Setting<?>> inheritable = new ArrayList<>(FullMethod.TYPE.settings());
         inheritable.addAll(others.get(Methods.METHOD, type()).settings());
-        inheritable.addAll(LightSettings.ALL);
+        inheritable.addAll(MethodSettings.LIGHT);
         inheritable.add(Methods.METHOD);
         if (Preset.isThesis(others)) {
             inheritable.removeAll(List.of(TOLERANCE));

@@ -1,6 +1,6 @@
 package sunbeam.app.scene;
 
-import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
+import static sunbeam.precompute.plan.MethodSettings.ILLUMINANT;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;

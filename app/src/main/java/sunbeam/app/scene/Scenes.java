@@ -1,6 +1,6 @@
 package sunbeam.app.scene;
 
-import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
+import static sunbeam.precompute.plan.MethodSettings.ILLUMINANT;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;

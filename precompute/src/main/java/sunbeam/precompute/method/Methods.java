@@ -4,7 +4,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.List;
 import java.util.stream.Collectors;
-import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -37,7 +37,7 @@ public final class Methods {
     public static final List<Setting<?>> SETTINGS = Setting.union(
             List.of(METHOD),
             ALL.stream().<Setting<?>>flatMap(type -> type.settings().stream()).toList(),
-            LightSettings.ALL);
+            MethodSettings.LIGHT);
 
     private Methods() {}
 
@@ -46,7 +46,7 @@ public final class Methods {
         MethodType type = choices.get(METHOD);
         for (Setting<?> setting : choices.only(SETTINGS)
                 .without(METHOD)
-                .without(LightSettings.ALL)
+                .without(MethodSettings.LIGHT)
                 .chosen()) {
             if (!type.has(setting)) {
                 checkFixed(type, setting, choices);
@@ -63,7 +63,7 @@ public final class Methods {
             Choices one = choices.only(List.of(setting));
             all = (thesis && setting.equals(TOLERANCE) ? one : one.orStandard(setting)).over(all);
         }
-        return choices.only(LightSettings.ALL).over(all).describe();
+        return choices.only(MethodSettings.LIGHT).over(all).describe();
     }
 
     private static void checkFixed(MethodType type, Setting<?> setting, Choices choices) {

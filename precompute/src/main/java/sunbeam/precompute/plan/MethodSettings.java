@@ -1,5 +1,11 @@
 package sunbeam.precompute.plan;
 
+import java.util.List;
+import java.util.Locale;
+import java.util.function.UnaryOperator;
+import sunbeam.precompute.color.CieTable.Observer;
+import sunbeam.precompute.color.Illuminant;
+import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Replicas;
@@ -11,7 +17,7 @@ import sunbeam.precompute.spectrum.PeriodInterpolation;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
-/** Settings of the methods and their plans. Each method lists its own (see {@link sunbeam.precompute.method.MethodType}). */
+/** Settings of the methods, their plans and the light. Each method lists its own (see {@link sunbeam.precompute.method.MethodType}). */
 public final class MethodSettings {
     // Half the visible band, so that both its ends are sampled, in meters.
     private static final double LARGEST_STEP = 200e-9;
@@ -114,7 +120,58 @@ public final class MethodSettings {
             "For gem: stam (default, GPU Gems), or thesis (its program for maps): light at |v| < 0.01 only, times"
                     + " exp(-(1.5 u / w)^2).");
 
+    /** One of {@link Illuminant#NAMES}, or a CSV file. */
+    public static final Setting<String> ILLUMINANT = new Setting<>(
+                    "illuminant",
+                    ValueKind.text(
+                            "LIGHT",
+                            MethodSettings::illuminant,
+                            UnaryOperator.identity(),
+                            String.join(", ", Illuminant.NAMES) + ", or a file (.csv)"),
+                    "Spectrum of the light: " + String.join(", ", Illuminant.NAMES)
+                            + " (E: equal power), or a CSV file: columns of wavelengths in nm, 380 to 780 in steps of at most 20,"
+                            + " and of power.")
+            .withStandard("D65");
+
+    public static final Setting<WavelengthBand> WAVELENGTHS = new Setting<>(
+                    "wavelengths",
+                    ValueKind.text(
+                            "BAND",
+                            WavelengthBand::parse,
+                            WavelengthBand::toString,
+                            "a wavelength, 532nm, or a band, 500nm..600nm"),
+                    "Light through a filter, a band such as 500nm..600nm, or of a laser, a wavelength such as 532nm (a line 1 nm wide).")
+            .withStandard(WavelengthBand.VISIBLE);
+
+    public static final Setting<Observer> OBSERVER = new Setting<>(
+                    "observer",
+                    ValueKind.word("OBSERVER", Observer.class),
+                    "Color matching functions: cie1931 (2 degrees) or cie1964 (10 degrees).")
+            .withStandard(Observer.CIE1931);
+
+    /** Settings of the light and the observer. */
+    public static final List<Setting<?>> LIGHT = List.of(ILLUMINANT, WAVELENGTHS, OBSERVER);
+
     private MethodSettings() {}
+
+    public static boolean isLightFile(String illuminant) {
+        return illuminant.toLowerCase(Locale.ROOT).endsWith(".csv");
+    }
+
+    private static String illuminant(String text) {
+        String name = text.strip();
+        if (isLightFile(name)) {
+            return name;
+        }
+        return Illuminant.NAMES.stream()
+                .filter(name::equalsIgnoreCase)
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(Text.quoted(text) + " is not one of "
+                        + String.join(", ", Illuminant.NAMES) + ", nor a file (.csv)"
+                        + Text.nearest(name, Illuminant.NAMES)
+                                .map(near -> " (did you mean " + near + "?)")
+                                .orElse("")));
+    }
 
     /** Source of the default settings. */
     public enum Preset {

@@ -41,7 +41,7 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
@@ -203,9 +203,9 @@ public final class ExportCommand extends FileCommand {
             throw new UsageException("--bands is of --format bsdf, and of npz with --channels spectral; leave it out");
         }
         if (isSpectral) {
-            LightTable.requireNone(asked, List.of(LightSettings.ILLUMINANT, LightSettings.OBSERVER));
+            LightTable.requireNone(asked, List.of(MethodSettings.ILLUMINANT, MethodSettings.OBSERVER));
         }
-        WavelengthBand range = asked.get(LightSettings.WAVELENGTHS);
+        WavelengthBand range = asked.get(MethodSettings.WAVELENGTHS);
         return switch (format) {
             case NPZ -> {
                 NpzTable.Channels kind = channels == null ? NpzTable.Channels.XYZ : channels;

@@ -30,7 +30,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ExactLight.Quadrature;
 import sunbeam.precompute.setting.Choices;
@@ -125,9 +125,9 @@ record TableMetadata(
         fields.put("power_scale", grid.level().scale());
         fields.put("power_scale_is", "C by power under coherence_length_m: a mean over wider orders is lower");
         fields.put("order_width_deg", resolutionDegrees());
-        fields.put("illuminant", choices.get(LightSettings.ILLUMINANT));
-        fields.put("wavelengths", choices.get(LightSettings.WAVELENGTHS).toString());
-        fields.put("observer", choices.get(LightSettings.OBSERVER).label());
+        fields.put("illuminant", choices.get(MethodSettings.ILLUMINANT));
+        fields.put("wavelengths", choices.get(MethodSettings.WAVELENGTHS).toString());
+        fields.put("observer", choices.get(MethodSettings.OBSERVER).label());
         Optional<EnergyBalance> energy =
                 EnergyBalance.largest(setup.patch().scan(), RefractiveIndex.KERATIN, new Direction(0, 0, 1));
         fields.put(

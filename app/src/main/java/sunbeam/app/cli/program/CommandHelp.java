@@ -18,7 +18,6 @@ import picocli.CommandLine.Model.UsageMessageSpec;
 import sunbeam.app.cli.LightOptions;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.patch.PatchSettings;
-import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Setting;
 
@@ -86,7 +85,7 @@ final class CommandHelp {
             return "Scene";
         }
         if (List.of(LightOptions.THETA_I, LightOptions.PHI_I).contains(setting)
-                || LightSettings.ALL.contains(setting)) {
+                || MethodSettings.LIGHT.contains(setting)) {
             return "Light";
         }
         return METHOD_SETTINGS.contains(setting) ? "Method" : EXPERT_METHOD;

@@ -4,8 +4,8 @@ import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
-import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.ILLUMINANT;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 

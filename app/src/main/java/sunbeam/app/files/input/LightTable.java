@@ -1,8 +1,8 @@
 package sunbeam.app.files.input;
 
-import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
-import static sunbeam.precompute.plan.LightSettings.OBSERVER;
-import static sunbeam.precompute.plan.LightSettings.WAVELENGTHS;
+import static sunbeam.precompute.plan.MethodSettings.ILLUMINANT;
+import static sunbeam.precompute.plan.MethodSettings.OBSERVER;
+import static sunbeam.precompute.plan.MethodSettings.WAVELENGTHS;
 
 import de.siegmar.fastcsv.reader.CommentStrategy;
 import de.siegmar.fastcsv.reader.CsvParseException;
@@ -22,7 +22,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.numerics.Lagrange;
-import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Decimals;
@@ -42,7 +42,7 @@ public final class LightTable {
     /** Returns the light for the observer. Throws InputException for a file, SettingException for a band without power. */
     public static CieTable of(Choices choices) {
         String light = choices.get(ILLUMINANT);
-        Illuminant illuminant = LightSettings.isFile(light) ? read(Path.of(light)) : Illuminant.of(light);
+        Illuminant illuminant = MethodSettings.isLightFile(light) ? read(Path.of(light)) : Illuminant.of(light);
         try {
             return CieTable.of(choices.get(OBSERVER), illuminant, choices.get(WAVELENGTHS));
         } catch (IllegalArgumentException dark) {

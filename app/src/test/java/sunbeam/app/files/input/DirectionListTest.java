@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
@@ -108,7 +108,7 @@ final class DirectionListTest {
 
     private CieTable table(String text) throws IOException {
         Path file = Files.writeString(folder.resolve("lamp.csv"), text);
-        return LightTable.of(Choices.none().with(LightSettings.ILLUMINANT, file.toString()));
+        return LightTable.of(Choices.none().with(MethodSettings.ILLUMINANT, file.toString()));
     }
 
     /** Rows every 20 nm from a wavelength to 780 nm, each with the same ending. */
@@ -159,7 +159,7 @@ final class DirectionListTest {
     void binaryFilesAreRefused() throws IOException {
         Path file = Files.write(folder.resolve("lamp.csv"), new byte[] {'3', '8', (byte) 0xff, (byte) 0xfe, 0});
 
-        assertThatThrownBy(() -> LightTable.of(Choices.none().with(LightSettings.ILLUMINANT, file.toString())))
+        assertThatThrownBy(() -> LightTable.of(Choices.none().with(MethodSettings.ILLUMINANT, file.toString())))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("not text in UTF-8");
     }
@@ -169,8 +169,8 @@ final class DirectionListTest {
     void aNarrowLineIsTheLightOfItsWavelength() throws IOException {
         String text = "546.4,0\n546.5,1000\n546.6,0\n" + rows(380, ",0");
         double[] line = LightTable.of(Choices.none()
-                        .with(LightSettings.ILLUMINANT, "E")
-                        .with(LightSettings.WAVELENGTHS, WavelengthBand.parse("546.5nm")))
+                        .with(MethodSettings.ILLUMINANT, "E")
+                        .with(MethodSettings.WAVELENGTHS, WavelengthBand.parse("546.5nm")))
                 .white();
 
         // Both are split between 546 and 547 nm; rounding of the sums.
@@ -183,8 +183,8 @@ final class DirectionListTest {
                 .isInstanceOf(InputException.class)
                 .hasMessageContainingAll("no power");
         Choices band = Choices.none()
-                .with(LightSettings.ILLUMINANT, "LED-B3")
-                .with(LightSettings.WAVELENGTHS, WavelengthBand.parse("380nm"));
+                .with(MethodSettings.ILLUMINANT, "LED-B3")
+                .with(MethodSettings.WAVELENGTHS, WavelengthBand.parse("380nm"));
         assertThatThrownBy(() -> LightTable.of(band))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContainingAll("no power");
