@@ -36,6 +36,9 @@ public final class RenderLoop implements AutoCloseable {
         /** A state could not be drawn; the picture on screen stays, and drawing continues. */
         void refused(String message);
 
+        /** A task has failed, such as a pick or the BRDF map; the picture goes on. */
+        void problem(String message);
+
         void body(BufferedImage image);
 
         void preview(ViewState state, Stage.Preview preview);
@@ -183,7 +186,7 @@ public final class RenderLoop implements AutoCloseable {
             try {
                 task.accept(stage);
             } catch (RuntimeException | OutOfMemoryError failure) {
-                news.accept(to -> to.refused(Failure.of(failure).message()));
+                news.accept(to -> to.problem(Failure.of(failure).message()));
             }
         }
     }

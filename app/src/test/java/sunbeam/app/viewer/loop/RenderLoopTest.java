@@ -122,7 +122,12 @@ final class RenderLoopTest {
                 case 0, 1 -> ask();
                 case 2 -> {
                     tasks++;
-                    loop.submit(stage -> tasksDone++);
+                    loop.submit(stage -> {
+                        tasksDone++;
+                        if (random.nextInt(5) == 0) {
+                            throw new IllegalStateException("task");
+                        }
+                    });
                 }
                 case 3 -> tilesCome();
                 case 4 -> now += random.nextLong(2 * RenderLoop.STILL_NANOSECONDS);
@@ -314,7 +319,13 @@ final class RenderLoopTest {
 
         @Override
         public void refused(String message) {
+            assertThat(message).as("refuses the picture").doesNotContain("task");
             isRefused = true;
+        }
+
+        @Override
+        public void problem(String message) {
+            // the picture goes on
         }
 
         @Override
