@@ -3,6 +3,7 @@ package jrtr.scene;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import java.util.Map;
 import jrtr.Tile;
 import jrtr.VertexData;
@@ -10,9 +11,11 @@ import jrtr.gl.FloatTarget;
 import jrtr.gl.InARendering;
 import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.VertexBuffer;
 import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
+import org.joml.Vector3fc;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -132,5 +135,112 @@ class PlacedMeshTest extends InARendering {
                     .isInstanceOf(IllegalStateException.class)
                     .hasMessageContaining("'flat' has no depth");
         }
+    }
+
+    private static final int SIDE = 48;
+    // A few operations in float32 on unit vectors.
+    private static final float ROUNDING = 2e-6f;
+    private static final String SHADER = """
+            #include "jrtr/tangent_frame.glsl"
+            layout(location = 0) out vec4 tangent;
+            layout(location = 1) out vec4 bitangent;
+            layout(location = 2) out vec4 normal;
+            layout(location = 3) out vec4 light;
+            layout(location = 4) out vec4 view;
+            void main() {
+                mat3 frame = tangentFrame();
+                tangent = vec4(frame[0], 1.0);
+                bitangent = vec4(frame[1], 1.0);
+                normal = vec4(frame[2], 1.0);
+                light = vec4(lightDirection(frame, 0), 1.0);
+                view = vec4(viewDirection(frame), 1.0);
+            }
+            """;
+    private final Camera camera = new Camera(new Vector3f(1, -3, 2), new Vector3f(0.2f, 0, 0), new Vector3f(0, 0, 1));
+    private final Vector3f towardsLight = new Vector3f(0.6f, -0.48f, 0.64f);
+
+    private record Images(List<float[]> images) {
+        Vector3f at(int image, int pixel) {
+            float[] values = images.get(image);
+            return new Vector3f(values[4 * pixel], values[4 * pixel + 1], values[4 * pixel + 2]);
+        }
+
+        int middle() {
+            return SIDE / 2 * SIDE + SIDE / 2;
+        }
+    }
+
+    private Images drawn(VertexData data, Matrix4f place, float rotation) {
+        ShaderProgram program = rendering.meshProgram(SHADER);
+        PlacedMesh.turnTangents(program, rotation);
+        Light.apply(List.of(new Light(towardsLight, new Vector3f(1))), program);
+        VertexBuffer mesh = rendering.context.createVertexBuffer("mesh", data);
+        try (FloatTarget target =
+                rendering.context.createFloatTarget("frames", new FloatTarget.Spec(SIDE, SIDE, 5, true))) {
+            View view = new View(camera, 0.5f, 0, 0.5f, 20);
+            new PlacedMesh(mesh, place, program, Map.of(), Faces.BOTH)
+                    .draw(rendering.context, view, View.Area.whole(SIDE, SIDE), target, Tile.whole(SIDE, SIDE));
+            return new Images(List.of(target.read(0), target.read(1), target.read(2), target.read(3), target.read(4)));
+        }
+    }
+
+    private static VertexData mirrored(VertexData data) {
+        float[] tangents = data.tangents().clone();
+        for (int i = 3; i < tangents.length; i += 4) {
+            tangents[i] = -1;
+        }
+        return new VertexData(data.positions(), data.normals(), tangents, data.textureCoordinates(), data.indices());
+    }
+
+    private static void assertClose(Vector3fc found, Vector3fc expected, float tolerance) {
+        assertThat(found.distance(expected)).as("%s for %s", found, expected).isLessThan(tolerance);
+    }
+
+    @Test
+    void lightAndViewAreInTheFrameOfAPlane() {
+        Images images = drawn(TestMeshes.square(), new Matrix4f(), 0);
+        int pixel = images.middle();
+
+        assertClose(images.at(0, pixel), new Vector3f(1, 0, 0), ROUNDING);
+        assertClose(images.at(1, pixel), new Vector3f(0, 1, 0), ROUNDING);
+        assertClose(images.at(3, pixel), towardsLight, ROUNDING);
+        Vector3f towardsEye = new Vector3f(camera.centerOfProjection())
+                .sub(camera.lookAtPoint())
+                .normalize();
+        // The pixel's middle lies half a pixel, 0.5 / 48 / 2 rad, beside the line of sight.
+        assertClose(images.at(4, pixel), towardsEye, 0.01f);
+    }
+
+    @Test
+    void lightAndViewTurnAgainstTheSurface() {
+        float angle = (float) Math.PI / 6;
+        Images images = drawn(TestMeshes.square(), new Matrix4f().rotateX(angle), 0);
+
+        Vector3f expected = new Vector3f(towardsLight).rotateX(-angle);
+        assertClose(images.at(3, images.middle()), expected, ROUNDING);
+    }
+
+    @Test
+    void thePatchTurnsCounterClockwiseSeenFromOutside() {
+        float angle = (float) Math.toRadians(30);
+        Vector3f turned = new Vector3f((float) Math.cos(angle), (float) Math.sin(angle), 0);
+
+        Images right = drawn(TestMeshes.square(), new Matrix4f(), angle);
+        Images left = drawn(mirrored(TestMeshes.square()), new Matrix4f(), angle);
+
+        assertClose(right.at(0, right.middle()), turned, ROUNDING);
+        assertClose(left.at(0, left.middle()), turned, ROUNDING);
+        assertClose(right.at(1, right.middle()), new Vector3f(-turned.y, turned.x, 0), ROUNDING);
+        assertClose(left.at(1, left.middle()), new Vector3f(turned.y, -turned.x, 0), ROUNDING);
+    }
+
+    @Test
+    void unevenScalingKeepsNormalsOrthogonalToTheSurface() {
+        // The plane z = x: normal (-1, 0, 1), flattened to z = x / 2, normal (-1, 0, 2).
+        Matrix4f place = new Matrix4f().scale(1, 1, 0.5f).rotateY(-(float) Math.PI / 4);
+        Images images = drawn(TestMeshes.square(), place, 0);
+
+        assertClose(images.at(2, images.middle()), new Vector3f(-1, 0, 2).normalize(), ROUNDING);
+        assertClose(images.at(0, images.middle()), new Vector3f(2, 0, 1).normalize(), ROUNDING);
     }
 }

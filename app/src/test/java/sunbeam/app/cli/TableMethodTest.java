@@ -54,25 +54,6 @@ class TableMethodTest {
         return new double[] {color[0], color[1], color[2]};
     }
 
-    @ParameterizedTest
-    @CsvSource({"sinusoid, coherent, 1e-3", "blaze, ensemble, 1e-3", "elaphe-like, ensemble, 1e-2"})
-    void directionsKeepTheToleranceThatIsAskedFor(String patch, String average, String tolerance) {
-        MethodProbe probe = new MethodProbe(home, "--patch " + patch);
-        List<DirectionPair> pairs = directionsNearTheAxis(8);
-        String finer = Double.toString(0.1 * Double.parseDouble(tolerance));
-        String ofAverage = " --average " + average + " --tolerance ";
-        List<float[]> exact = probe.colors(pairs, "--coherence-length 6um" + ofAverage + finer);
-        List<float[]> table = probe.colors(pairs, TABLE + ofAverage + tolerance);
-        List<Double> errors = new ArrayList<>();
-        for (int i = 0; i < pairs.size(); i++) {
-            if (Comparison.largest(xyz(exact.get(i))) > Comparison.FLOOR) {
-                errors.add(error(table.get(i), exact.get(i)));
-            }
-        }
-        assertThat(errors).hasSizeGreaterThan(4);
-        assertErrorsWithin(errors, Double.parseDouble(tolerance));
-    }
-
     private static void assertErrorsWithin(List<Double> errors, double tolerance) {
         ErrorStatistics statistics = ErrorStatistics.of(
                 errors.stream().mapToDouble(Double::doubleValue).toArray());

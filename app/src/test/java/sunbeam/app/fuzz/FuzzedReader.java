@@ -1,6 +1,10 @@
 package sunbeam.app.fuzz;
 
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,10 +13,13 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import javax.imageio.ImageIO;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.cache.CacheFolder;
+import sunbeam.app.files.cache.TileFile;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.PngText;
+import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.MeshFiles;
@@ -26,7 +33,11 @@ import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchLoader.HeightCache;
 import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.plan.ArrayLayout;
+import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.ShaderTablesFile;
+import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.TableArray;
 import sunbeam.precompute.setting.Choices;
 
 /** Everything of Sunbeam's that reads a file which may have come from anywhere. */
@@ -39,7 +50,7 @@ enum FuzzedReader {
     SCAN("scan", file -> load(choices(file))),
     /** Descriptors, with a good image beside them. */
     DESCRIPTOR("patch.json", file -> {
-        Files.write(file.resolveSibling("scan.png"), Seeds.image("png"));
+        Files.write(file.resolveSibling("scan.png"), image("png"));
         load(choices(file));
     }),
     SCENE("scene.json", Scenes::read),
@@ -48,12 +59,12 @@ enum FuzzedReader {
     MESH("mesh", file -> MeshSource.of(file.toString()).load()),
     TEXTURE("texture", file -> BodyTexture.load(file.toString(), BlobCache.NONE)),
     PICTURE("picture.png", PngText::read),
-    SHADER_TABLES("shader.tables", file -> ShaderTablesFile.read(file, Seeds.KEY)),
+    SHADER_TABLES("shader.tables", file -> ShaderTablesFile.read(file, FuzzedReader.KEY)),
     PAGES("one.tiles", file -> {
         new CacheFolder.Entry(file, Files.size(file), Instant.EPOCH).label();
         BitSet pages = new BitSet();
         pages.set(0, 8);
-        try (CachedTiles kept = Seeds.pages(file)) {
+        try (CachedTiles kept = pages(file)) {
             for (int level = 0; level < 3; level++) {
                 kept.read(level, pages);
             }
@@ -108,19 +119,19 @@ enum FuzzedReader {
     /** Good inputs, from which mutations start. */
     List<byte[]> seeds() throws IOException {
         return switch (this) {
-            case HEIGHTS -> List.of(Seeds.image("png"), Seeds.image("bmp"), Seeds.image("tiff"), Seeds.numberText(""));
+            case HEIGHTS -> List.of(image("png"), image("bmp"), image("tiff"), numberText(""));
             case SCAN ->
                 List.of(
-                        Seeds.gsf(),
-                        Seeds.numberText("# Channel: z\n# Width: 3 um\n# Height: 3 um\n# Value units: nm\n"));
+                        gsf(),
+                        numberText("# Channel: z\n# Width: 3 um\n# Height: 3 um\n# Value units: nm\n"));
             case TEXTURE ->
                 List.of(
-                        Seeds.image("png"),
-                        Seeds.image("jpeg"),
-                        Seeds.image("gif"),
-                        Seeds.image("bmp"),
-                        Seeds.image("tiff"));
-            case PICTURE -> List.of(Seeds.pictureWithText());
+                        image("png"),
+                        image("jpeg"),
+                        image("gif"),
+                        image("bmp"),
+                        image("tiff"));
+            case PICTURE -> List.of(pictureWithText());
             case DESCRIPTOR -> List.of(text("""
                     {"heights": "scan.png", "width": "10 um", "maxHeight": "300 nm", "levelling": "plane"}
                     """));
@@ -153,12 +164,102 @@ enum FuzzedReader {
                     f 1//1 2//1 \\
                     4//1
                     """));
-            case SHADER_TABLES -> List.of(Seeds.shaderTables());
-            case PAGES -> List.of(Seeds.pages());
+            case SHADER_TABLES -> List.of(shaderTables());
+            case PAGES -> List.of(pages());
         };
     }
 
     private static byte[] text(String content) {
         return content.getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** Of the shader tables. */
+    private static final String KEY = "full|a surface|a plan";
+
+    private static final int SIDE = 8;
+
+    private static BufferedImage picture(int type) {
+        BufferedImage image = new BufferedImage(SIDE, SIDE, type);
+        for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
+            image.setRGB(pixel % SIDE, pixel / SIDE, 0x030303 * pixel);
+        }
+        return image;
+    }
+
+    private static byte[] image(String format) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        ImageIO.write(picture(BufferedImage.TYPE_INT_RGB), format, bytes);
+        return bytes.toByteArray();
+    }
+
+    private static byte[] pictureWithText() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        PngWriter.write(
+                bytes, picture(BufferedImage.TYPE_INT_RGB), Map.of("Title", "seed", "Patch", "\u86c7 of 65 \u00b5m"));
+        return bytes.toByteArray();
+    }
+
+    /** Gwyddion Simple Field: text, zeros up to a multiple of four, then float32, little-endian. */
+    private static byte[] gsf() {
+        String header = """
+                Gwyddion Simple Field 1.0
+                XRes = 4
+                YRes = 3
+                XReal = 1e-6
+                YReal = 7.5e-7
+                ZUnits = m
+                XYUnits = m
+                Title = seed
+                """;
+        int length = header.length() / 4 * 4 + 4;
+        ByteBuffer bytes = ByteBuffer.allocate(length + 4 * 4 * 3).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.put(header.getBytes(StandardCharsets.US_ASCII)).position(length);
+        for (int sample = 0; sample < 4 * 3; sample++) {
+            bytes.putFloat(sample * 1e-9f);
+        }
+        return bytes.array();
+    }
+
+    private static byte[] numberText(String header) {
+        return (header + "1.0 2.0 3.0\n4.0 5.5 6e-1\n7. 8 nan\n").getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static byte[] shaderTables() throws IOException {
+        ArrayLayout layout = ArrayLayout.layered("terms", 3, 2, 2, 2);
+        ShaderTables tables = new ShaderTables.Builder("full_grid")
+                .define("TAPS", 4)
+                .reals("scale", 0.1)
+                .integers("first", -7, 9)
+                .array(TableArray.computed(layout, number -> new float[layout.floatsPerLayer()]))
+                .build(16e-6, 0.04);
+        return written(file -> ShaderTablesFile.write(file, KEY, new TableLabel("", ""), tables));
+    }
+
+    private static CachedTiles pages(Path file) {
+        CacheFolder folder = new CacheFolder(file.getParent(), "");
+        return TileFile.of(folder, file, KEY, NumberFormat.HALF, new TableLabel("", ""), warning -> {});
+    }
+
+    private static byte[] pages() throws IOException {
+        return written(file -> {
+            try (CachedTiles kept = pages(file)) {
+                kept.keep(0, Map.of(3, new byte[NumberFormat.HALF.bytes() * LevelBaking.TILE_NUMBERS]));
+                kept.keep(1, Map.of(2, new byte[NumberFormat.HALF.bytes() * LevelBaking.TILE_NUMBERS]));
+            }
+        });
+    }
+
+    private interface FileWriter {
+        void write(Path file);
+    }
+
+    private static byte[] written(FileWriter writer) throws IOException {
+        Path folder = Files.createTempDirectory("sunbeam-seed");
+        Path file = folder.resolve("file");
+        writer.write(file);
+        byte[] content = Files.readAllBytes(file);
+        Files.delete(file);
+        Files.delete(folder);
+        return content;
     }
 }

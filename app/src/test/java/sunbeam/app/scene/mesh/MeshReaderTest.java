@@ -161,7 +161,8 @@ class MeshReaderTest extends MeshReading {
         assertRefused("v 0 zero 0\n", "\"zero\" is no number");
         assertRefused("v 0 0\n", "position needs 3 numbers, not 2");
         assertRefused(SQUARE + "f 1 2\n", "line 5", "2 corners");
-        assertRefused(SQUARE + "f 1 2 5\n", "position 5", "line 5");
+        assertRefused(SQUARE + "f 1 2 5\n", "line 5: the face names position 5 but 4");
+        assertRefused(SQUARE + "f -1 -2 -9\n", "line 5: the face names position -9 but 4");
         assertRefused(SQUARE + "f 1 2 0\n", "\"0\"");
         assertRefused(SQUARE + "f 1 2 99999999999\n", "99999999999");
         for (String corner :

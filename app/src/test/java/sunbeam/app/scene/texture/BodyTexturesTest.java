@@ -98,12 +98,4 @@ class BodyTexturesTest {
         // Soft plates: some degrees.
         assertThat(steep).isBetween(0.04, 0.2);
     }
-
-    @Test
-    void noScalesAreEvenSkinOfItsOwnColor() {
-        BodyTexture relief = ScaleRelief.of(Scales.NONE, BlobCache.NONE);
-        assertThat(slope(relief, 0, 0)).isZero();
-        assertThat(slope(relief, 0, 1)).isZero();
-        assertThat((relief.rgba()[3] & 0xff) / 255.0 * ScaleRelief.LIGHTEST).isCloseTo(1, within(0.003));
-    }
 }
