@@ -4,12 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import jrtr.Tile;
 import jrtr.scene.View.Camera;
-import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -21,7 +19,6 @@ import sunbeam.app.render.InAScene;
 import sunbeam.app.render.PartSum;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneSession;
-import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.SceneLight;
@@ -34,14 +31,12 @@ import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
 /** Compares method table on meshes with full: a point if a pixel sees a point, else the mean over the pixel. */
 class SceneTableTest extends InAScene {
     private static final double TOLERANCE = 1e-2;
-    private static final Choices DIFFRACTION_ONLY = Weights.of(1, 0, 0, 0);
     // Orders as bright as the body, as on a skin.
     private static final Choices ON_A_BODY = Weights.of(30, 0.3, 1, 0.1);
     private static final Vector3f EYE = new Vector3f(-0.05f, -0.1f, 0.4f);
@@ -51,20 +46,11 @@ class SceneTableTest extends InAScene {
     /** The blazed grating, which sends orders to the camera. */
     private static Scene plane(Vector3f eye, Vector3f light, double fieldOfView, Choices weights, MethodType type) {
         Choices method = Choices.none().with(Methods.METHOD, type).with(MethodSettings.TOLERANCE, TOLERANCE);
-        Choices own = Choices.none()
-                .with(SceneSettings.MESH, "plane")
-                .with(SceneSettings.TEXTURE, "none")
-                .with(SceneSettings.EXPOSURE, OptionalDouble.of(1))
-                .over(weights);
-        return new Scene(
-                own,
-                PatchAtlas.of(PatchRequest.of("blaze")),
-                new Viewpoint(
-                        new Camera(eye, new Vector3f(), new Vector3f(0, 0.8f, 0.6f)), Math.toRadians(fieldOfView)),
-                new Quaternionf(),
-                new SceneLight(light, 1),
-                List.of(),
-                new SceneMethod(method));
+        Camera camera = new Camera(eye, new Vector3f(), new Vector3f(0, 0.8f, 0.6f));
+        return blaze().with(weights)
+                .withView(new Viewpoint(camera, Math.toRadians(fieldOfView)))
+                .withLight(new SceneLight(light, 1))
+                .withMethod(new SceneMethod(method));
     }
 
     @Test

@@ -2,7 +2,6 @@ package sunbeam.app.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static org.assertj.core.api.Assertions.withinPercentage;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
@@ -124,15 +123,6 @@ class BuiltInScenesTest extends InAScene {
             // The snake spans at least half of one side.
             assertThat(Math.max(reach[0], reach[1])).as("%s, larger", name).isGreaterThan(0.5f);
         }
-    }
-
-    @ParameterizedTest
-    @CsvSource({"870, 811", "300, 1200"})
-    void narrowPicturesHaveTheHorizontalAngleOfFourToThree(int width, int height) {
-        Scene scene = Scenes.load("elaphe-scales");
-
-        // Float32.
-        assertThat(reach(scene, width, height)[0]).isCloseTo(reach(scene, 800, 600)[0], withinPercentage(1e-3));
     }
 
     /** Greatest distance of the mesh from the middle along x and y, in halves of the picture. */

@@ -45,7 +45,7 @@ public abstract class InAScene extends InAContext {
 
     protected final List<String> warnings = new ArrayList<>();
 
-    private static final Choices DIFFRACTION_ONLY = Weights.of(1, 0, 0, 0);
+    protected static final Choices DIFFRACTION_ONLY = Weights.of(1, 0, 0, 0);
 
     /** The blazed grating, viewed near its normal; the light sends orders to the camera. */
     protected static Scene blaze() {

@@ -5,12 +5,20 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.Tile;
+import jrtr.gl.FloatTarget;
+import jrtr.gl.ShaderProgram;
+import jrtr.glsl.ShaderLibrary;
+import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.gpu.InAContext;
+import sunbeam.app.gpu.Shaders;
 import sunbeam.app.render.DrawRequest.SceneBlocks;
 import sunbeam.app.render.PixelPicture.LitPixels;
 import sunbeam.app.scene.SceneColor;
@@ -19,8 +27,11 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.setting.Choices;
 
-/** Samples of pixels, their means, and the lit ones among them. */
-class PixelSamplesTest {
+/**
+ * Samples of pixels, their means, and the lit ones among them; shaders/include/footprint.glsl by the variance and the direction of its taps
+ * and level.
+ */
+class PixelSamplesTest extends InAContext {
     /** 480 x 270 had 5 x 5, 16 % fewer in all, and missed its own certificate by a mean CIEDE2000 of 1.1. */
     @ParameterizedTest
     @CsvSource({"320,240,8", "480,270,6", "640,360,4", "1280,720,4", "3000,2000,4"})
@@ -134,5 +145,133 @@ class PixelSamplesTest {
         assertThat(pixels.image().getRGB(0, 0)).isEqualTo(left);
         assertThat(pixels.light().rgba()[0]).isCloseTo(0.2f, within(1e-6f));
         assertThat(pixels.light().rgba()[4]).isEqualTo(1);
+    }
+
+    private static final double SIGMA = 1e-3;
+    private static final int LEVELS = 9;
+    private static final float[] CENTER = {0.3f, 0.2f, -1.1f};
+    private static final int MOST_TAPS = 8;
+    private static final double SPACING = 1.6;
+    private static final String TEXT = """
+            #version 330 core
+            #include "include/footprint.glsl"
+            uniform vec3 du;
+            uniform vec3 dv;
+            layout(location = 0) out vec4 color;
+            void main() {
+                Footprint footprint = footprintOf(vec3(0.3, 0.2, -1.1), du, dv, vec3(0.0, 0.0, 1.0), 0.0, 0.0);
+                color = gl_FragCoord.x < 1.0 ? vec4(footprint.center, footprint.level) : vec4(footprint.axis, footprint.taps);
+            }
+            """;
+
+    /** Level, number of taps, and change of u, v, w along them. */
+    private record Footprint(int level, int taps, double[] axis) {
+        /** Variance along u plus that along v, of the taps and of the level's blur. */
+        double variance() {
+            double blur = (Math.pow(2, level) - 1) * SIGMA * SIGMA;
+            // Taps in the middles of n equal parts.
+            return 2 * blur + (1 - 1.0 / (taps * taps)) / 12 * (axis[0] * axis[0] + axis[1] * axis[1]);
+        }
+    }
+
+    private Footprint find(float[] du, float[] dv, double slope, int pointLevels, int samplesAcross) {
+        ShaderLibrary library = name -> name.equals("find.frag") ? Optional.of(TEXT) : Optional.empty();
+        try (ShaderProgram program = context.createFullScreenProgram(
+                        library.orElse(Shaders.library()).load("find.frag"));
+                FloatTarget target = context.createFloatTarget("footprint", FloatTarget.Spec.color(2, 1))) {
+            program.set("pointLevels", (float) pointLevels);
+            program.set("finestVariance", (float) (SIGMA * SIGMA));
+            program.set("levels", LEVELS);
+            program.set("mostTaps", (float) MOST_TAPS);
+            program.set("samplesAcross", (float) samplesAcross);
+            program.set("slopeVariance", (float) (slope * slope));
+            program.set("du", new Vector3f(du));
+            program.set("dv", new Vector3f(dv));
+            context.drawFullScreen(program, Map.of(), target, Tile.whole(2, 1));
+            float[] found = target.read(0);
+            return new Footprint((int) found[3], (int) found[7], new double[] {found[4], found[5], found[6]});
+        }
+    }
+
+    private Footprint find(float[] du, float[] dv) {
+        return find(du, dv, 0, 0, 1);
+    }
+
+    private static float[] change(double u, double v) {
+        return new float[] {(float) (SIGMA * u), (float) (SIGMA * v), (float) (0.5 * SIGMA * (u - v))};
+    }
+
+    /**
+     * An even parallelogram of sides a and b has the variance (a a^T + b b^T) / 12, whose longer axis taps follow; relief of slope s adds
+     * (s w)^2 along both axes.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "8, 0, 0, 8, 0",
+        "6, 6, -6, 6, 0",
+        "20, 0, 0, 5, 0",
+        "9, 7, -7, 9, 0",
+        "30, 4, -3, 10, 0",
+        "12, 0, 0, 0.1, 0",
+        "40, 40, -10, 10, 0",
+        "8, 0, 0, 8, 10",
+        "20, 0, 0, 5, 30",
+        "0, 0, 0, 0, 20"
+    })
+    void tapsAndLevelTogetherVaryAsThePixelDoes(double ux, double uy, double vx, double vy, double slope) {
+        double mesh = SIGMA * SIGMA * (ux * ux + uy * uy + vx * vx + vy * vy) / 12;
+        double relief = 2 * Math.pow(slope * CENTER[2] * SIGMA, 2);
+
+        Footprint footprint = find(change(ux, uy), change(vx, vy), slope * SIGMA, 0, 1);
+        double found = footprint.variance();
+
+        // Levels are a factor of 2 apart, and never blur more than the minor axis: nearly half of its variance may be
+        // missing.
+        assertThat(found).isBetween(0.55 * (mesh + relief), 1.05 * (mesh + relief));
+        double turn = Math.atan2(2 * (ux * uy + vx * vy), ux * ux + vx * vx - uy * uy - vy * vy) / 2;
+        double[] axis = footprint.axis();
+        // float32, where the axes differ in length.
+        if (footprint.taps() > 1) {
+            assertThat(axis[0] * Math.sin(turn) - axis[1] * Math.cos(turn))
+                    .isCloseTo(0, within(1e-5 * Math.hypot(axis[0], axis[1])));
+        }
+    }
+
+    @Test
+    void aLongFootprintHasEightTapsInALevelThatTheyCover() {
+        Footprint found = find(change(150, 0), change(0, 1));
+
+        assertThat(found.taps()).isLessThanOrEqualTo(MOST_TAPS);
+        double length = Math.hypot(found.axis()[0], found.axis()[1]);
+        double shown = SIGMA * Math.pow(2, 0.5 * found.level());
+        assertThat(length / found.taps() / shown).as("distance of taps").isLessThanOrEqualTo(1.001 * SPACING);
+    }
+
+    @Test
+    void onlyPixelsThatSeeLittleMoreThanAPointUseTheLevelForPoints() {
+        // A line of that length has a twelfth of its square as variance; the limit is 0.06 of SIGMA's.
+        float[] none = change(0, 0);
+        float[] shorter = change(0.8, 0);
+        float[] longer = change(0.9, 0);
+        assertThat(find(none, none, 0, 1, 1).level()).isZero();
+        assertThat(find(shorter, none, 0, 1, 1).level()).isZero();
+        assertThat(find(longer, none, 0, 1, 1).level()).isOne();
+        // A quarter of a pixel.
+        assertThat(find(shorter, none, 0, 1, 2).level()).isOne();
+        assertThat(find(change(0.4, 0), none, 0, 1, 2).level()).isZero();
+        // Without a level for points, level 0 serves them.
+        assertThat(find(none, none, 0, 0, 1).level()).isZero();
+        assertThat(find(longer, none, 0, 0, 1).level()).isZero();
+    }
+
+    /** Differences of (u, v) are multiples of 2^-24: exact squares occur, whose ellipse is a circle. */
+    @Test
+    void aSquareIsSeenLikeOneThatIsNearlySo() {
+        Footprint square = find(change(12, 0), change(0, 12));
+        Footprint nearly = find(change(12.001, 0), change(0, 12));
+        assertThat(square.level()).isEqualTo(nearly.level());
+        assertThat(square.taps()).isEqualTo(nearly.taps());
+        // The sides differ by less.
+        assertThat(square.variance()).isCloseTo(nearly.variance(), within(1e-3 * nearly.variance()));
     }
 }

@@ -94,14 +94,6 @@ class ShaderTablesFileTest {
     }
 
     @Test
-    void staysReadableWhenTheFileIsReplaced() throws IOException {
-        ShaderTables read = ShaderTablesFile.read(file, KEY);
-        Files.delete(file);
-
-        assertThat(read.arrays().get(1).layer(2).get(2)).isEqualTo(layer(2)[2]);
-    }
-
-    @Test
     void anotherPlansAreRefused() {
         assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY + "!"))
                 .isInstanceOf(InputException.class)

@@ -33,28 +33,14 @@ class ScanFormatTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "gwy",
-                "gsf",
-                "gwyddion-text",
-                "gwyddion-text-german",
-                "spip-text",
-                "points",
-                "nanoscope",
-                "nanoscope-32",
-                // Samples have 32 bits, while the header gives the number of steps of 16 bits.
-                "nanoscope-32-of-16",
-                "ibw",
-                "nid",
-                "stp",
-                "top",
-                "jpk",
-                "jpk-qi-image",
-                "park",
-                "sdf-text",
-                "sdf-binary",
-                "x3p",
-                "sur",
-                "mi"
+                "gwy", "gsf", "gwyddion-text",
+                "gwyddion-text-german", "spip-text", "points",
+                // Samples of the last have 32 bits, while the header gives the number of steps of 16 bits.
+                "nanoscope", "nanoscope-32", "nanoscope-32-of-16",
+                "ibw", "nid", "stp",
+                "top", "jpk", "jpk-qi-image",
+                "park", "sdf-text", "sdf-binary",
+                "x3p", "sur", "mi"
             })
     void readsTheHeightsTheirSizeAndWhichWayIsUp(String format) throws IOException {
         // No extension: formats are found by content.

@@ -108,19 +108,6 @@ class JsonObjectTest {
     private static final Origin OPTION = Origin.of(Origin.Place.OPTION, setting -> "--" + setting.words("-"));
 
     @Test
-    void aComplaintWithoutAPlaceGetsThatOfTheChoiceItIsAbout() {
-        Choices choices = Choices.none().with(TERMS, 12, OPTION);
-        assertThatThrownBy(() -> choices.located(() -> {
-                    throw new SettingException(TERMS, "are too many; give fewer, or another ", LENGTH);
-                }))
-                .hasMessage("--terms 12 are too many; give fewer, or another --coherence-length");
-        assertThatThrownBy(() -> choices.located(() -> {
-                    throw new SettingException(LENGTH, "is missing");
-                }))
-                .hasMessage("coherence length is missing");
-    }
-
-    @Test
     void complaintsAboutADefaultShowItsValue() {
         Choices choices = Choices.at(OPTION).with(TERMS, 12);
         assertThatThrownBy(() -> choices.located(() -> {
