@@ -183,7 +183,6 @@ class BrdfMapCommandTest extends CommandLineFixture {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             --index @gold.csv --certify 2 | --certify holds one integral against the reference, but an --index by wavelength
-            --index glass                 | --index
             --with blaze --linear @x.npy  | --linear is for one map
             --with blaze --certify 2      | --certify is for one map
             """)

@@ -135,7 +135,6 @@ final class EvaluateCommandTest extends CommandLineFixture {
         "--theta-i, 75 --period 150nm, no angle sees the first order of a period near 150 nm",
         "--method, gem, 'use full, nmm, pq or reference'",
         "--method, table, 'use full, nmm, pq or reference'",
-        "--method, magic, is not one of full",
     })
     void whatCannotBeEvaluatedIsOneLine(String option, String value, String reason) throws IOException {
         assertThat(run("--patch blaze " + option + " " + value)).isEqualTo(2);

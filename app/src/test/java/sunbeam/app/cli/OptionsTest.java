@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -22,7 +20,6 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
@@ -105,19 +102,6 @@ class OptionsTest extends CommandLineFixture {
                 .hasMessageContaining(words);
     }
 
-    @Test
-    void helpTellsWhatACommandChoosesItself() {
-        MethodOptions options = new MethodOptions(Map.of(MethodSettings.AVERAGE, "ensemble"));
-        String help = new CommandLine(options).getUsageMessage().replaceAll("\\s+", " ");
-        assertThat(help).contains("Default: ensemble.").doesNotContain("Default: coherent");
-        LightOptions light = new LightOptions(Map.of(LightOptions.PHI_I, "the strongest direction"));
-        CommandLine line = new CommandLine(light);
-        assertThat(line.getUsageMessage().replaceAll("\\s+", " "))
-                .contains("from +x. Default: the strongest direction.", "Default: 0 deg.");
-        line.parseArgs("--theta-i", "30", "--phi-i", "-0.1");
-        assertThat(light.describe()).as("as typed").isEqualTo("theta 30, phi -0.1 degrees");
-    }
-
     @ParameterizedTest
     @CsvSource({
         "380:780:5, 81, 380, 780",
@@ -183,19 +167,5 @@ class OptionsTest extends CommandLineFixture {
         assertThat(patch.source()).contains("levelling plane", "edges blended");
         assertThat(ScanLimit.of(standard, patch).choices().get(MethodSettings.COHERENCE_LENGTH))
                 .isEqualTo(patch.heights().width());
-    }
-
-    /** Three folders have a file of the same name. */
-    @Test
-    void surfacesOfOneNameAreToldApart() {
-        HeightMap heights = new HeightMap(2, 1, 1e-7, 1e-7, new double[] {0, 1e-8});
-        Patch first = new Patch("wing", heights, "a/wing.gsf", List.of());
-        Patch second = PatchOptions.Compared.distinct(first, List.of(first));
-        Patch third = PatchOptions.Compared.distinct(first, List.of(first, second));
-        assertThat(second.name()).isEqualTo("wing-2");
-        assertThat(second.notes()).anyMatch(note -> note.contains("another surface has the name wing"));
-        assertThat(third.name()).isEqualTo("wing-3");
-        assertThat(PatchOptions.Compared.distinct(third, List.of(first, second)))
-                .isSameAs(third);
     }
 }

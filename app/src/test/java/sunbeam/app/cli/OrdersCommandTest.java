@@ -133,11 +133,9 @@ class OrdersCommandTest extends CommandLineFixture {
             bumps                                    | 4 | bumps: no orders without a period
             blaze --theta-i 90                       | 2 | --theta-i 90:90:1 leaves the range 0 to 89.9
             blaze --wavelengths 300:500:10           | 2 | --wavelengths 300:500:10 leaves the range 380 to 780
-            blaze --wavelengths green                | 2 | is not a range
             blaze --theta-i 0:80:0.001 --wavelengths 380:780:0.001 | 2 | are too many for this patch
             elaphe-like                              | 2 | for this patch of 91920 orders; take larger steps, or --no-periodic
             @wide.txt --columns=512 --width=5mm --height-unit=nm --periodic | 2 | too many for this patch of 26316 orders
-            blaze --index 0                          | 2 | --index 0
             """)
     void mistakesAreOneLine(String arguments, int code, String start) throws IOException {
         Files.writeString(file("wide.txt"), "0 ".repeat(256) + "50 ".repeat(256));

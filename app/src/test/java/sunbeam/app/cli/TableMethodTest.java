@@ -115,8 +115,6 @@ class TableMethodTest {
                 .hasMessageMatching(message);
     }
 
-    private static final double PERIOD = 2.5e-6;
-
     private MethodProbe probe() {
         return new MethodProbe(home, "--patch sinusoid");
     }
@@ -149,18 +147,6 @@ class TableMethodTest {
             // Three times the tolerance, relative to at least a thousandth of the brightest color.
             assertThat(error).isLessThanOrEqualTo(3e-3 * Math.max(1, 1e-3 * brightest / expected[1]));
         }
-    }
-
-    @Test
-    void aLaserIsSeenWhereTheGratingEquationSendsIt() {
-        double sine = 532e-9 / PERIOD;
-        List<DirectionPair> pairs = List.of(at(sine), at(sine - 0.1), at(sine + 0.1));
-
-        List<float[]> colors = probe().colors(pairs, "--wavelengths=532nm --coherence-length=20um");
-
-        // sigma_f is 0.032 / um, so that an order's power has a deviation of 0.012 in u: exp(-0.5 (0.1 / 0.012)^2) is
-        // 1e-15.
-        assertThat(colors.get(0)[1]).isGreaterThan(1e4f * colors.get(1)[1]).isGreaterThan(1e4f * colors.get(2)[1]);
     }
 
     private static DirectionPair at(double sine) {

@@ -9,11 +9,13 @@ import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
@@ -60,7 +62,7 @@ record RandomCase(
     static RandomCase of(long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         RandomSurface kind = oneOf(random, RandomSurface.values());
-        RandomAim aim = oneOf(random, RandomAim.values());
+        Aim aim = oneOf(random, Aim.values());
         boolean colors = random.nextInt(3) == 0;
         HeightMap map = kind.draw(
                 random,
@@ -77,7 +79,7 @@ record RandomCase(
         double tolerance = TOLERANCES[random.nextInt(TOLERANCES.length)];
         List<Query> queries = new ArrayList<>();
         for (int i = 0; i < (colors ? COLORS : POWERS); i++) {
-            double wavelength = RandomAim.wavelength(random);
+            double wavelength = Aim.wavelength(random);
             DirectionPair pair = aim.draw(random, map, wavelength, area.window().sigmaFrequency());
             queries.add(new Query(pair, wavelength));
         }
@@ -160,5 +162,77 @@ record RandomCase(
         String length = area.window().coherenceLength() + " m on the " + words(area.origin()) + ", ";
         String result = words(area.average()) + (colors ? " XYZ " : " power ") + aim + ", tolerance " + tolerance;
         return "seed " + seed + ": " + kind + ", " + size + length + result;
+    }
+
+    enum Aim {
+        SPECULAR,
+        ORDER,
+        SKIRT,
+        VALLEY,
+        GRAZING,
+        ANYWHERE;
+
+        private static final int MOST_TRIES = 1000;
+        private static final double LOWEST_COSINE = 0.01;
+        private static final double GRAZING_COSINE = 0.05;
+
+        /**
+         * A pair of directions.
+         *
+         * @param wavelength meters, at which orders are aimed at
+         * @param sigmaFrequency of the window, cycles per meter
+         */
+        DirectionPair draw(SplittableRandom random, HeightMap map, double wavelength, double sigmaFrequency) {
+            for (int tries = 0; tries < MOST_TRIES; tries++) {
+                Direction light = hemisphere(random, this == GRAZING ? GRAZING_COSINE : 1);
+                Direction view = this == GRAZING || this == ANYWHERE
+                        ? hemisphere(random, 1)
+                        : aimed(random, light, map, wavelength, sigmaFrequency);
+                if (view.z() > LOWEST_COSINE) {
+                    return new DirectionPair(light, view);
+                }
+            }
+            // The valleys of a patch smaller than a wavelength lie beyond the horizon.
+            return ANYWHERE.draw(random, map, wavelength, sigmaFrequency);
+        }
+
+        private Direction aimed(
+                SplittableRandom random, Direction light, HeightMap map, double wavelength, double sigmaFrequency) {
+            double fx = 0;
+            double fy = 0;
+            if (this != SPECULAR) {
+                int axis = random.nextInt(3);
+                double half = this == VALLEY ? 0.5 : 0;
+                fx = axis == 1 ? 0 : (order(random, map.width(), wavelength) + half) / map.width();
+                fy = axis == 0 ? 0 : (order(random, map.height(), wavelength) + half) / map.height();
+            }
+            double distance = sigmaFrequency
+                    * switch (this) {
+                        case SPECULAR -> 4 * random.nextDouble();
+                        case SKIRT -> random.nextDouble(1, 4.5);
+                        default -> random.nextDouble();
+                    };
+            double angle = random.nextDouble(2 * Math.PI);
+            double x = -light.x() - wavelength * (fx + distance * Math.cos(angle));
+            double y = -light.y() - wavelength * (fy + distance * Math.sin(angle));
+            return Direction.ofDisc(x, y);
+        }
+
+        private static int order(SplittableRandom random, double period, double wavelength) {
+            int last = (int) Math.floor(2 * period / wavelength);
+            return random.nextInt(-last, last + 1);
+        }
+
+        /** Equal areas of the sphere have equal heights. */
+        private static Direction hemisphere(SplittableRandom random, double highest) {
+            double z = random.nextDouble(LOWEST_COSINE, highest);
+            double phi = random.nextDouble(2 * Math.PI);
+            double sine = Math.sqrt(1 - z * z);
+            return new Direction(sine * Math.cos(phi), sine * Math.sin(phi), z);
+        }
+
+        static double wavelength(SplittableRandom random) {
+            return random.nextDouble(CieTable.MINIMUM_WAVELENGTH, CieTable.MAXIMUM_WAVELENGTH);
+        }
     }
 }

@@ -76,9 +76,9 @@ class RandomCasesTest extends InAContext {
     private static List<Query> queries(HeightMap map, int ofEachAim) {
         SplittableRandom random = new SplittableRandom(1);
         List<Query> queries = new ArrayList<>();
-        for (RandomAim aim : RandomAim.values()) {
+        for (RandomCase.Aim aim : RandomCase.Aim.values()) {
             for (int i = 0; i < ofEachAim; i++) {
-                double wavelength = RandomAim.wavelength(random);
+                double wavelength = RandomCase.Aim.wavelength(random);
                 queries.add(new Query(aim.draw(random, map, wavelength, DUSTY.sigmaFrequency()), wavelength));
             }
         }

@@ -10,7 +10,6 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -31,8 +30,6 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
-import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.method.NmmMethod;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.plan.Average;
@@ -56,20 +53,6 @@ class SceneMethodsTest extends InAScene {
 
     private float[] draw(Scene scene) {
         return drawn(scene, WIDTH, HEIGHT);
-    }
-
-    @Test
-    void nmmHasTheColorsOfFull() {
-        float[] full = draw(with(FullMethod.TYPE));
-        float[] nmm = draw(with(NmmMethod.TYPE));
-        int[] brightest = Arrays.copyOf(byLuminance(full), 200);
-        double[] errors = Arrays.stream(brightest)
-                .mapToDouble(i -> Math.abs(nmm[4 * i + 1] / full[4 * i + 1] - 1))
-                .sorted()
-                .toArray();
-        // nmm takes an order's power at its one wavelength: 3e-3 on this grating's maps (docs/theory.md), up to
-        // 6e-2 at the 95th percentile; beside the grating's plane, on orders' flanks, 1.5e-2 in the median.
-        assertThat(errors[errors.length / 2]).as("median error").isLessThan(2e-2);
     }
 
     /** 101 wavelengths of 17 x 17 bins are 33 thousand steps of loops, of which Mesa's software renderer makes 65 thousand. */
@@ -148,10 +131,7 @@ class SceneMethodsTest extends InAScene {
     private static final Choices AROUND = around(Optional.of(new SceneColor(0x907050)), 0.3, true);
 
     private static Scene scene(MethodType method) {
-        return with(method)
-                .with(Weights.of(20, 1, 0.8, 0.2))
-                .with(AROUND)
-                .withLight(KEY);
+        return with(method).with(Weights.of(20, 1, 0.8, 0.2)).with(AROUND).withLight(KEY);
     }
 
     private void assertLightsAddUp(Scene scene) {
@@ -268,8 +248,8 @@ class SceneMethodsTest extends InAScene {
 
     @Test
     void theThesisPresetHasNoSurroundings() {
-        UnaryOperator<Scene> thesis = scene -> scene.with(
-                Choices.none().with(METHOD, PqMethod.TYPE).with(PRESET, Preset.THESIS));
+        UnaryOperator<Scene> thesis =
+                scene -> scene.with(Choices.none().with(METHOD, PqMethod.TYPE).with(PRESET, Preset.THESIS));
         assertThat(draw(around(WHITE, 1, true), thesis)).isEqualTo(draw(NONE, thesis));
     }
 }

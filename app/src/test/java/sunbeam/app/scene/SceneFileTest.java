@@ -111,13 +111,9 @@ class SceneFileTest {
                     "diffraction": 20    | "difraction": 20   | line 10 | weights.difraction | known are
                     "elaphe",            | "no.png",          | line 6  | texture       | no file
                     "elaphe",            | "../x.png",        | line 6  | texture       | folder
-                    "tolerance": 0.01    | "tolerance": 7     | line 7  | plan.tolerance | out of range
                     "tolerance": 0.01    | "method": "magic"  | line 7  | plan.method   | magic
                     "tolerance": 0.01    | "method": "reference" | line 7 | plan.method | full, table, nmm, pq, gem
-                    "tolerance": 0.01    | "method": "pq", "average": "ensemble" | line 7 | plan.average | pq
-                    "tolerance": 0.01    | "method": "pq", "radius": 2 | line 7 | plan.radius | 2 belongs to method full or nmm, not pq
                     "tolerance": 0.01    | "preset": "thesis"  | line 7  | plan.preset   | or use method full
-                    "tolerance": 0.01    | "method": "gem", "spacing": "1 cm" | line 7 | plan.spacing | out of range
                     "tolerance": 0.01    | "method": "full", "tolerance": 0.01, "preset": "thesis" | line 7 | plan.tolerance | preset thesis
                     "elaphe-like"        | {"file": "blaze", "width": "5 pm"} | line 3 | patch.width | 1 nm to 100 mm
                     "exposure": 2        | "exposure": "two"  | line 9  | exposure      | auto

@@ -130,9 +130,6 @@ class OrderLightTest {
         assertThat(light.at(new Order(0, 0)).value()).isCloseTo(0.0198, within(1e-4));
         // Rounding errors beyond the horizon.
         assertThat(light.between()).isLessThan(1e-20);
-        Patch patch = new Patch("p", map, "p", List.of());
-        assertThat(Verdict.of(patch, GratingPeriod.of(patch), 0).sentence())
-                .startsWith("A hexagonal lattice with a constant of 2.00 um");
     }
 
     @Test

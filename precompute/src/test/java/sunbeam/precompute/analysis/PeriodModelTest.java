@@ -42,7 +42,7 @@ class PeriodModelTest {
         int answers = 0;
         for (long seed = 9000; seed < 9004; seed++) {
             long drawn = seed;
-            Stream<FaultyScan> gratings = Stream.of(SimulatedGrating.values()).map(kind -> kind.draw(drawn));
+            Stream<FaultyScan> gratings = Stream.of(FaultyScan.Grating.values()).map(kind -> kind.draw(drawn));
             Stream<FaultyScan> faulty = Stream.of(FaultyScan.Kind.values()).map(kind -> FaultyScan.draw(kind, drawn));
             for (FaultyScan scan : Stream.concat(gratings, faulty).toList()) {
                 Optional<GratingPeriod> period = scan.estimate();

@@ -20,7 +20,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.PatchLoader.PatchDescriptor;
 import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.prepare.Leveling;
@@ -150,28 +149,6 @@ class PatchLoaderTest {
         Path file = PATCHES.resolve(name + ".json");
         assumeTrue(Files.exists(file), () -> "the measured patches are not there: " + file);
         return PatchRequests.load(file);
-    }
-
-    @ParameterizedTest
-    @CsvSource({
-        // Full scale and the lowest and highest of 255 levels.
-        "elaphe, 1332, 65e-6, 375e-9, 0, 255",
-        "xenopeltis, 1332, 65e-6, 818.69e-9, 0, 252",
-        "blaze, 100, 2.5e-6, 250e-9, 0, 255"
-    })
-    void haveTheSizesAndHeightsOfTheThesis(
-            String name, int side, double width, double fullScale, int lowest, int highest) {
-        Patch patch = measured(name);
-        HeightMap heights = patch.heights();
-
-        assertThat(patch.name()).isEqualTo(name);
-        assertThat(heights.columns()).isEqualTo(side);
-        assertThat(heights.rows()).isEqualTo(side);
-        // One division and one multiplication.
-        assertThat(heights.width() / width - 1).isBetween(-3e-16, 3e-16);
-        assertThat(heights.pitchY()).isEqualTo(heights.pitchX());
-        // A few roundings of heights below 1 um.
-        assertThat(heights.relief() - fullScale * (highest - lowest) / 255).isBetween(-1e-21, 1e-21);
     }
 
     @ParameterizedTest

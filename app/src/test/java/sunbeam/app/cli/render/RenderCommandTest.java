@@ -153,8 +153,6 @@ class RenderCommandTest extends CommandLineFixture {
             --turntable 2 --light-sweep 0:1 | contradict each other
             --exposure -1 | --exposure
             --method pq | has no ensemble average, which the scene asks for; add --average coherent
-            --method full --spacing 1um | --spacing
-            --replicas 2 | --replicas
             --method gem --patch elaphe-like | for example 1um
             --method table --preset thesis | --preset thesis belongs to --method full, nmm, pq, gem or reference, not table; leave it out or use --method full
             --size 0x5 | --size

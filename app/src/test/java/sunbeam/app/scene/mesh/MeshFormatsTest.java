@@ -123,10 +123,10 @@ class MeshFormatsTest extends MeshReading {
     void stripsFansAndMissingIndicesAreTriangles() throws IOException {
         // A unit square in glTF's x and y, which faces its z: our -y.
         String square = "0,0,0, 1,0,0, 0,1,0, 1,1,0";
-        Mesh strip = read(positions(5, square, "")).mesh();
-        Mesh fan = read(positions(6, "0,0,0, 1,0,0, 1,1,0, 0,1,0", "")).mesh();
-        Mesh triangle = read(positions(4, square, "")).mesh();
-        Mesh hidden = read(positions(5, square, "")
+        Mesh strip = read(positions(5, square)).mesh();
+        Mesh fan = read(positions(6, "0,0,0, 1,0,0, 1,1,0, 0,1,0")).mesh();
+        Mesh triangle = read(positions(4, square)).mesh();
+        Mesh hidden = read(positions(5, square)
                         .replace("[{\"mesh\":0}]", "[{\"mesh\":0},{\"mesh\":0,\"scale\":[0,1,1]}]"))
                 .mesh();
 
@@ -139,10 +139,10 @@ class MeshFormatsTest extends MeshReading {
         }
         assertThat(triangle.triangles()).isEqualTo(1);
         assertThat(triangle.normals()).startsWith(0, -1, 0);
-        assertRefused(positions(1, square, ""), "no faces");
+        assertRefused(positions(1, square), "no faces");
     }
 
-    private static String positions(int mode, String numbers, String more) {
+    private static String positions(int mode, String numbers) {
         String[] all = numbers.split(",", -1);
         ByteBuffer bytes = ByteBuffer.allocate(4 * all.length).order(ByteOrder.LITTLE_ENDIAN);
         for (String number : all) {
@@ -151,7 +151,7 @@ class MeshFormatsTest extends MeshReading {
         return "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
                 + "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":" + mode + "}]}],"
                 + "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":" + all.length / 3
-                + ",\"type\":\"VEC3\"" + more + "}],"
+                + ",\"type\":\"VEC3\"}],"
                 + "\"bufferViews\":[{\"buffer\":0,\"byteLength\":" + 4 * all.length + "}],"
                 + "\"buffers\":[{\"uri\":\"" + MeshFiles.dataUri(bytes.array()) + "\",\"byteLength\":" + 4 * all.length
                 + "}]}";
@@ -160,7 +160,7 @@ class MeshFormatsTest extends MeshReading {
     @Test
     void sparseAccessorsReplaceSomeValues() throws IOException {
         byte[] content = {2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64, 64, 0, 0, 0, 0};
-        String json = positions(4, "0,0,0, 1,0,0, 0,1,0", "")
+        String json = positions(4, "0,0,0, 1,0,0, 0,1,0")
                 .replace(
                         "\"VEC3\"",
                         "\"VEC3\",\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":1,\"componentType\":5121},"

@@ -2,7 +2,6 @@ package sunbeam.app.scene.texture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -12,10 +11,7 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.app.files.cache.BlobCache;
-import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.precompute.files.InputException;
 
 /** Textures of bodies, from files and of scales. */
@@ -71,31 +67,5 @@ class BodyTexturesTest {
         assertThatThrownBy(() -> BodyTexture.read("texture", file(), "", HEAP))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("8000 x 8000", "too many for Java's memory", "SUNBEAM_JAVA_OPTIONS=-Xmx1024m");
-    }
-
-    private static double slope(BodyTexture relief, int texel, int channel) {
-        return ScaleRelief.STEEPEST * ((relief.rgba()[4 * texel + channel] & 0xff) - 128) / 127;
-    }
-
-    @ParameterizedTest
-    @EnumSource(names = {"SMOOTH", "KEELED"})
-    void scalesRiseTowardsTheTailAndAreDomesAcross(Scales scales) {
-        BodyTexture relief = ScaleRelief.of(scales, BlobCache.NONE);
-        int texels = relief.width() * relief.height();
-        double along = 0;
-        double around = 0;
-        double steep = 0;
-        for (int i = 0; i < texels; i++) {
-            along += slope(relief, i, 0) / texels;
-            around += slope(relief, i, 1) / texels;
-            steep += Math.hypot(slope(relief, i, 0), slope(relief, i, 1)) / texels;
-        }
-        // Each covers the next one's front: on the way to the tail skin rises slowly and falls in steps, which a normal
-        // map leaves out.
-        assertThat(along).isBetween(0.01, 0.12);
-        // Left and right are alike but for chance.
-        assertThat(around).isCloseTo(0, within(3e-3));
-        // Soft plates: some degrees.
-        assertThat(steep).isBetween(0.04, 0.2);
     }
 }

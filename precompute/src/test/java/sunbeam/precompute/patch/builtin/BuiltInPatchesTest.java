@@ -3,10 +3,8 @@ package sunbeam.precompute.patch.builtin;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.List;
 import java.util.function.IntBinaryOperator;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
@@ -78,7 +76,7 @@ class BuiltInPatchesTest {
         double bit = DISC.height() / 184;
         assertThat(bit).isBetween(277e-9, 324e-9); // 1.2 to 1.4 m/s at 4.3218 MHz
         for (int track = 0; track < TRACKS; track++) {
-            for (int samples : runs(center(track))) {
+            for (int samples : runs(center(track)).toArray()) {
                 double bits = samples * DISC.pitchY() / bit;
                 // Both ends of a run are known to one sample of 50 nm, 0.18 bits.
                 assertThat(bits).isBetween(3 - 0.2, 11 + 0.2);
@@ -92,21 +90,12 @@ class BuiltInPatchesTest {
     }
 
     /** Lengths in samples of the pits and lands round the whole column. */
-    private static List<Integer> runs(int column) {
-        int start = 0;
-        while (isPit(column, start) == isPit(column, start - 1)) {
-            start++;
-        }
-        List<Integer> runs = new ArrayList<>();
-        int length = 0;
-        for (int i = 0; i < DISC.rows(); i++) {
-            length++;
-            if (isPit(column, start + i) != isPit(column, start + i + 1)) {
-                runs.add(length);
-                length = 0;
-            }
-        }
-        return runs;
+    private static IntStream runs(int column) {
+        int[] edges = IntStream.range(0, DISC.rows())
+                .filter(row -> isPit(column, row) != isPit(column, row - 1))
+                .toArray();
+        return IntStream.range(0, edges.length)
+                .map(i -> Math.floorMod(edges[(i + 1) % edges.length] - edges[i], DISC.rows()));
     }
 
     private static boolean isPit(int column, int row) {

@@ -16,17 +16,23 @@ import java.util.function.Supplier;
 import jrtr.GraphicsException;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 import sunbeam.app.cli.DoctorCommand.Check;
+import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.ShaderTablesFile;
 import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.plan.TableArray;
 
-/** Commands about the cache and the machine. */
-final class CacheCommandTest extends CommandLineFixture {
+/** Commands about the cache, the machine and meshes. */
+final class SmallCommandsTest extends CommandLineFixture {
     private Path cache;
 
     @BeforeEach
@@ -133,5 +139,50 @@ final class CacheCommandTest extends CommandLineFixture {
         assertThat(doctor(Map.of("XDG_CACHE_HOME", "/dev/null", "DISPLAY", ":99"), this::working))
                 .isZero();
         assertThat(out.toString()).contains("FAIL  Cache folder").contains("XDG_CACHE_HOME");
+    }
+
+    private MeshSource.Loaded loadMesh(String name) {
+        return MeshSource.of(folder.resolve(name).toString()).load();
+    }
+
+    @Test
+    void everyBuiltInMeshIsWritten() {
+        for (String name : BuiltInMeshes.names()) {
+            assertSuccess(sunbeam("mesh " + name + " --output @" + name + ".obj"));
+            assertThat(loadMesh(name + ".obj").mesh().triangles())
+                    .isEqualTo(BuiltInMeshes.create(name).triangles());
+        }
+        assertThat(err.toString()).isEmpty();
+        assertThat(out.toString()).containsPattern("snake\\.obj: \\d+ vertices, \\d+ triangles");
+    }
+
+    @Test
+    void anObjFileIsCheckedAndCompleted() throws IOException {
+        Files.writeString(folder.resolve("in.obj"), "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 1 1 2\n");
+        assertSuccess(sunbeam("mesh @in.obj --output @out.obj"));
+        assertThat(err.toString().lines())
+                .hasSize(3)
+                .allMatch(line -> line.startsWith("sunbeam: warning: ") && line.contains("in.obj"));
+        assertThat(out.toString()).as("in the singular").contains("out.obj: 3 vertices, 1 triangle\n");
+        assertThat(loadMesh("out.obj").warnings()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"obj", "ply", "glb"})
+    void theFilesNameChoosesTheFormat(String ending) {
+        assertSuccess(sunbeam("mesh plane --output @plane." + ending));
+        assertThat(loadMesh("plane." + ending).mesh().triangles())
+                .isEqualTo(BuiltInMeshes.create("plane").triangles());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            plane --output a.stl                      | USAGE          | a.stl
+            snake --texture dark --output @worn.obj   | USAGE          | --texture dark needs a format with pictures
+            plane --scales keeled --output @worn.glb  | USAGE          | --scales keeled is for mesh snake
+            plane --mesh-unit mm --output @worn.glb   | UNUSABLE_INPUT | in meters
+            """)
+    void whatAFormatOrAMeshDoesNotHaveIsRefused(String words, ExitCode code, String reason) {
+        assertComplaint(code, "mesh " + words, reason);
     }
 }

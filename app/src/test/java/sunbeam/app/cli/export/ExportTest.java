@@ -9,9 +9,11 @@ import java.nio.FloatBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
@@ -19,13 +21,17 @@ import jrtr.gl.ShaderProgram;
 import jrtr.glsl.ShaderLibrary;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.InAContext;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
 
 /**
  * Translations of the exported function, compiled to GLSL by other programs and compared with the original on the same directions. A test
- * is skipped if its compiler is missing.
+ * is skipped if its compiler is missing. And the number of pairs that an export compares.
  */
-class ShaderLanguageTest extends InAContext {
+class ExportTest extends InAContext {
     private static final int SIDE = 64;
     private static final int TABLE = 32;
     private static final int SLICES = 6;
@@ -153,5 +159,24 @@ class ShaderLanguageTest extends InAContext {
         String said = Files.readString(output);
         assertThat(code).as("%s: %s", String.join(" ", command), said).isZero();
         return said;
+    }
+
+    private static final List<DirectionPair> AIMED = pairs(10);
+    private static final List<DirectionPair> UNIFORM = pairs(40);
+
+    /** Four, as many of them as twenty seconds allow, or as many as are given at any cost; half of them are on orders. */
+    @ParameterizedTest
+    @CsvSource({"1e6, , 4", "9.5e9, , 2", "1e12, , 1", "1e12, 6, 6", "1, 0, 0"})
+    void costlyPairsAreFewUnlessTheirNumberIsGiven(double cost, Integer given, int compared) {
+        assertThat(TableMetadata.GridErrors.choose(AIMED, UNIFORM, pair -> cost, Optional.ofNullable(given)))
+                .isEqualTo(IntStream.range(0, compared)
+                        .mapToObj(i -> (i % 2 == 0 ? AIMED : UNIFORM).get(i / 2))
+                        .toList());
+    }
+
+    private static List<DirectionPair> pairs(double phiDegrees) {
+        return IntStream.range(0, 8)
+                .mapToObj(i -> new DirectionPair(Direction.ofDegrees(0, 0), Direction.ofDegrees(10 * i, phiDegrees)))
+                .toList();
     }
 }
