@@ -57,7 +57,7 @@ class RandomCasesTest extends InAContext {
 
     /** Asserts the promise itself: median at most the tolerance, 95th percentile at most three times it. */
     private static void assertKept(RandomCase made, RandomCase.Outcome outcome) {
-        assertThat(Limits.of(made.tolerance()).hold(outcome.errors()))
+        assertThat(outcome.errors().keep(made.tolerance()))
                 .as("%s: %s", made, outcome.errors())
                 .isTrue();
     }

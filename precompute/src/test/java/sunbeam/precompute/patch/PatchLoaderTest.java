@@ -142,19 +142,13 @@ class PatchLoaderTest {
         assertThat(patch.heights().relief()).isLessThan(1e-21);
     }
 
-    /** Relative to the module's folder, in which tests run. */
-    private static final Path PATCHES = Path.of("..", "..", "shared", "patches");
-
-    private static Patch measured(String name) {
-        Path file = PATCHES.resolve(name + ".json");
-        assumeTrue(Files.exists(file), () -> "the measured patches are not there: " + file);
-        return PatchRequests.load(file);
-    }
-
     @ParameterizedTest
     @CsvSource({"elaphe, 8.2 %", "xenopeltis, 21.6 %"})
     void snakeSkinsAreSteeperThanScalarTheoryLikesAndDoNotTile(String name, String share) {
-        List<String> warnings = measured(name).warnings();
+        // Relative to the module's folder, in which tests run.
+        Path file = Path.of("..", "..", "shared", "patches", name + ".json");
+        assumeTrue(Files.exists(file), () -> "the measured patches are not there: " + file);
+        List<String> warnings = PatchRequests.load(file).warnings();
         assertThat(warnings).hasSize(2);
         assertThat(warnings.get(0))
                 .startsWith("the scan's repetition has a step that draws a cross: opposite borders differ by");

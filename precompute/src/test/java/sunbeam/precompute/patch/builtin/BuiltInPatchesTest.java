@@ -75,18 +75,15 @@ class BuiltInPatchesTest {
     void pitsAndLandsLast3To11Bits() {
         double bit = DISC.height() / 184;
         assertThat(bit).isBetween(277e-9, 324e-9); // 1.2 to 1.4 m/s at 4.3218 MHz
+        int columns = DISC.columns() / TRACKS;
         for (int track = 0; track < TRACKS; track++) {
-            for (int samples : runs(center(track)).toArray()) {
+            for (int samples : runs(track * columns + columns / 2).toArray()) {
                 double bits = samples * DISC.pitchY() / bit;
                 // Both ends of a run are known to one sample of 50 nm, 0.18 bits.
                 assertThat(bits).isBetween(3 - 0.2, 11 + 0.2);
                 assertThat(Math.abs(bits - Math.round(bits))).isLessThan(0.2);
             }
         }
-    }
-
-    private static int center(int track) {
-        return track * (DISC.columns() / TRACKS) + DISC.columns() / TRACKS / 2;
     }
 
     /** Lengths in samples of the pits and lands round the whole column. */

@@ -11,9 +11,15 @@ import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
 import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
 import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.Random;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -25,8 +31,8 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
-/** Scales from files combined with scales from settings. */
-class FileScaleTest {
+/** Scales of height maps, from files combined with those from settings; levels and digests of height maps. */
+class HeightMapsTest {
     private static final String NUMBERS = "0 10 20 30\n40 50 60 70\n80 90 100 110\n";
     private static final String HEADER = "# Channel: Height\n# Width: 4.0 um\n# Height: 3.0 um\n# Value units: nm\n";
 
@@ -169,5 +175,78 @@ class FileScaleTest {
         assertThatThrownBy(() -> load(file, WIDTH, "4um", MAX_HEIGHT, "400mm"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("--max-height 400 mm makes a relief of 18.3108 um");
+    }
+
+    private static final int SIDE = 40;
+
+    /** Asserts that the levels are the sorted distinct heights and that each sample's index finds its height; returns the levels. */
+    private static HeightLevels assertSortedDistinctAndIndexed(IntToDoubleFunction heights) {
+        double[] samples = new double[SIDE * SIDE];
+        Arrays.setAll(samples, heights);
+        HeightLevels levels = new HeightLevels(new HeightMap(SIDE, SIDE, 1e-8, 1e-8, samples));
+
+        assertThat(levels.levels())
+                .containsExactly(Arrays.stream(samples)
+                        .map(h -> h + 0.0)
+                        .sorted()
+                        .distinct()
+                        .toArray());
+        for (int i = 0; i < samples.length; i++) {
+            assertThat(levels.levels()[levels.index()[i]]).isEqualTo(samples[i] + 0.0);
+        }
+        return levels;
+    }
+
+    @Test
+    void everySampleHasItsLevelAndMinusZeroIsZero() {
+        Random random = new Random(4);
+        assertSortedDistinctAndIndexed(i -> 1e-7 * random.nextGaussian());
+        HeightLevels bytes = assertSortedDistinctAndIndexed(i -> 1e-9 * random.nextInt(256));
+        assertThat(bytes.count()).isBetween(250, 256);
+        HeightLevels flat = assertSortedDistinctAndIndexed(i -> 3e-9);
+        assertThat(flat.count()).isEqualTo(1);
+        HeightLevels zeros =
+                assertSortedDistinctAndIndexed(i -> i % 3 == 0 ? -0.0 : i % 3 == 1 ? 0.0 : Double.MIN_VALUE);
+        assertThat(zeros.count()).isEqualTo(2);
+    }
+
+    @Test
+    void aGrainOfDustDoesNotMixUpTheRest() {
+        Random random = new Random(5);
+        // All levels but one lie in one step of the search.
+        assertSortedDistinctAndIndexed(i -> i == 77 ? 1e-3 : 1e-12 * random.nextInt(500));
+        assertSortedDistinctAndIndexed(i -> i == 77 ? -Double.MAX_VALUE : i == 78 ? Double.MAX_VALUE : i);
+    }
+
+    /** The decision is based on 8192 samples; 4096 levels of a scan are not many, rare levels are. */
+    @Test
+    void estimatesWhetherLevelsAreMany() {
+        Random random = new Random(6);
+        int side = 300;
+        double[] samples = new double[side * side];
+        for (int levels : new int[] {1, 2, 256, 4096, 10_000}) {
+            Arrays.setAll(samples, i -> 1e-9 * random.nextInt(levels));
+            HeightLevels few = new HeightLevels(new HeightMap(side, side, 1e-8, 1e-8, samples.clone()));
+            assertThat(few.areTooManyToTabulate()).as("%d levels", levels).isFalse();
+        }
+        Arrays.setAll(samples, i -> random.nextGaussian());
+        assertThat(new HeightLevels(new HeightMap(side, side, 1e-8, 1e-8, samples))
+                        .areTooManyToTabulate())
+                .isTrue();
+    }
+
+    @Test
+    void theDigestIsTheSha256OfTheDocumentedLayout() throws Exception {
+        double[] heights = new Random(6).doubles(200 * 90).toArray();
+        ByteBuffer layout = ByteBuffer.allocate(21 + 24 + 8 * heights.length);
+        layout.put("sunbeam height map 1\n".getBytes(StandardCharsets.US_ASCII));
+        layout.putInt(200).putInt(90).putDouble(1e-9).putDouble(2e-9);
+        for (double height : heights) {
+            layout.putDouble(height);
+        }
+        String expected =
+                HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(layout.array()));
+
+        assertThat(new HeightMap(200, 90, 1e-9, 2e-9, heights).digest()).isEqualTo(expected);
     }
 }
