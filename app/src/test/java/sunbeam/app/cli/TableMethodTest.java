@@ -11,7 +11,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import picocli.CommandLine;
-import sunbeam.app.cli.Certificate.Limits;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.precompute.errors.Comparison;

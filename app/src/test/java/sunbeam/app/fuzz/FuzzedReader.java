@@ -120,17 +120,8 @@ enum FuzzedReader {
     List<byte[]> seeds() throws IOException {
         return switch (this) {
             case HEIGHTS -> List.of(image("png"), image("bmp"), image("tiff"), numberText(""));
-            case SCAN ->
-                List.of(
-                        gsf(),
-                        numberText("# Channel: z\n# Width: 3 um\n# Height: 3 um\n# Value units: nm\n"));
-            case TEXTURE ->
-                List.of(
-                        image("png"),
-                        image("jpeg"),
-                        image("gif"),
-                        image("bmp"),
-                        image("tiff"));
+            case SCAN -> List.of(gsf(), numberText("# Channel: z\n# Width: 3 um\n# Height: 3 um\n# Value units: nm\n"));
+            case TEXTURE -> List.of(image("png"), image("jpeg"), image("gif"), image("bmp"), image("tiff"));
             case PICTURE -> List.of(pictureWithText());
             case DESCRIPTOR -> List.of(text("""
                     {"heights": "scan.png", "width": "10 um", "maxHeight": "300 nm", "levelling": "plane"}

@@ -17,7 +17,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import sunbeam.app.cli.Certificate.Limits;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.precompute.errors.ErrorStatistics;

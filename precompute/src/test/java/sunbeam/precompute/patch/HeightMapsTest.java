@@ -230,8 +230,7 @@ class HeightMapsTest {
             assertThat(few.areTooManyToTabulate()).as("%d levels", levels).isFalse();
         }
         Arrays.setAll(samples, i -> random.nextGaussian());
-        assertThat(new HeightLevels(new HeightMap(side, side, 1e-8, 1e-8, samples))
-                        .areTooManyToTabulate())
+        assertThat(new HeightLevels(new HeightMap(side, side, 1e-8, 1e-8, samples)).areTooManyToTabulate())
                 .isTrue();
     }
 
