@@ -28,6 +28,9 @@ import sunbeam.app.scene.Scene.Viewpoint;
 
 /** Geometry buffer of a block: surface attributes of its pixels. */
 record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoCloseable {
+    // Distance of near and far plane from the mesh's center, in its radii; above 1, so that rounding clips nothing.
+    private static final float MARGIN = 1.02f;
+
     /** Keys are the names of the shading pass's samplers. */
     Map<String, Texture> textures() {
         Map<String, Texture> textures = new HashMap<>();
@@ -163,8 +166,35 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
             Optional<Vector3fc> shadowLight,
             int width,
             int height) {
+        // Near plane to far plane, for an eye inside the mesh's sphere; suits a 32-bit depth buffer.
+        private static final float NEAREST = 1e-3f;
+        // Distance of both planes from the mesh's center relative to the eye's, so that float32 separates them.
+        private static final float THINNEST = 1e-4f;
+
+        static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {
+            Vector3fc center = bounds.center();
+            return new Matrix4f()
+                    .translation(center)
+                    .rotate(orientation)
+                    .translate(-center.x(), -center.y(), -center.z());
+        }
+
+        static View view(Viewpoint view, BoundingSphere bounds) {
+            Camera camera = view.camera();
+            Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
+            // From the eye to the mesh's center, along the line of sight.
+            float distance = bounds.center()
+                    .sub(camera.centerOfProjection(), new Vector3f())
+                    .dot(sight.normalize());
+            float reach = Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
+            // A mesh behind the eye is invisible with any planes.
+            float far = Math.max(distance, 0) + reach;
+            float near = Math.max(distance - reach, NEAREST * far);
+            return new View(camera, (float) view.verticalFieldOfView(), (float) Viewpoint.LEAST_ASPECT, near, far);
+        }
+
         private View sight() {
-            return Framing.view(view, mesh.bounds());
+            return view(view, mesh.bounds());
         }
 
         void applyRaysTo(ShaderProgram program, Tile block) {
@@ -181,7 +211,9 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
             if (program.isActive("shadowMap")) {
                 shadows.applyTo(program, shadowLight.isPresent());
             }
-            Faces faces = closed && Framing.seesFromOutside(sight()) ? Faces.FRONT : Faces.BOTH;
+            // Then the near plane, and so the eye, is in front of the mesh in any orientation.
+            boolean seesFromOutside = sight().near() > NEAREST * sight().far();
+            Faces faces = closed && seesFromOutside ? Faces.FRONT : Faces.BOTH;
             View.Area area = new View.Area(width, height, block);
             body.placed(mesh, orientation, program, rotatePatch, faces, shadows.textures())
                     .draw(context, sight(), area, target, Tile.whole(block.width(), block.height()));
@@ -195,7 +227,6 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         private static final int MOVING_SIDE = 320;
         // In radii of the mesh; the light's rays are parallel within a degree.
         private static final float DISTANCE = 60;
-        private static final float MARGIN = 1.02f;
         // In texels along the normal, so that a surface does not shade itself.
         private static final float LIFT = 2;
 
@@ -235,7 +266,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
                         Optional.of(context.createMeshProgram(Shaders.library().load("shadow.frag")));
             }
             Faces faces = closed ? Faces.FRONT : Faces.BOTH;
-            Matrix4f toWorld = Framing.toWorld(orientation, mesh.bounds());
+            Matrix4f toWorld = SkinGeometry.toWorld(orientation, mesh.bounds());
             new PlacedMesh(mesh, toWorld, program.get(), Map.of(), faces)
                     .draw(context, view, View.Area.whole(side, side), map, Tile.whole(side, side));
             shown.put(side, key);

@@ -11,7 +11,6 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import jrtr.scene.Light;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -134,7 +133,7 @@ final class Ground implements AutoCloseable {
 
     private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, Tile block) {
         BoundingSphere bounds = geometry.mesh().bounds();
-        Matrix4f toWorld = Framing.toWorld(scene.orientation(), bounds);
+        Matrix4f toWorld = SkinGeometry.toWorld(scene.orientation(), bounds);
         float reach = (float) SkyVisibility.GROUND_REACH * bounds.radius();
         Vector3fc center = bounds.center();
         geometry.applyRaysTo(to, block);
@@ -148,7 +147,7 @@ final class Ground implements AutoCloseable {
         to.set("skyWeight", (float) scene.sky());
         to.set("ambientWeight", scene.get(SceneSettings.AMBIENT).floatValue());
         to.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());
-        Light.apply(Framing.lights(scene), to);
+        SkinSurface.setLights(to, scene);
         geometry.shadows().applyTo(to, scene.hasShadows());
     }
 

@@ -17,6 +17,7 @@ import java.util.stream.IntStream;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
+import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.Mesh;
@@ -140,7 +141,8 @@ public final class LineDrawings {
     /** Vertices in camera space: x right, y up, z towards the viewer; moved along the normals by radii of the mesh's bounds. */
     private static float[] vertices(Scene scene, Mesh mesh, float offset) {
         Matrix4f view = new Matrix4f(scene.view().camera().worldToCamera())
-                .mul(Framing.toWorld(scene.orientation(), mesh.toVertexData().bounds()));
+                .mul(SkinGeometry.toWorld(
+                        scene.orientation(), mesh.toVertexData().bounds()));
         float[] vertices = new float[mesh.positions().length];
         float length = offset * mesh.toVertexData().bounds().radius();
         Vector3f place = new Vector3f();

@@ -193,14 +193,12 @@ public final class SceneSession implements AutoCloseable {
         if (tiles.requestWhole()) {
             return true;
         }
-        if (!tiles.hasCoarsest() && !addFeedback(PartSum.meterParts(scene(), width, height), interrupted)) {
-            return false;
+        boolean isWhole = (tiles.hasCoarsest() || addFeedback(PartSum.meterParts(scene(), width, height), interrupted))
+                && addFeedback(parts(scene(), width, height, samples), interrupted);
+        if (isWhole) {
+            tiles.request();
         }
-        if (!addFeedback(parts(scene(), width, height, samples), interrupted)) {
-            return false;
-        }
-        tiles.request();
-        return true;
+        return isWhole;
     }
 
     /** Time of all geometry passes of this session. */

@@ -1,6 +1,7 @@
 package sunbeam.app.render;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import jrtr.Tile;
@@ -11,6 +12,7 @@ import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.scene.Light;
+import org.joml.Vector3f;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -18,6 +20,7 @@ import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.PackedShading.Part;
 import sunbeam.app.render.SceneData.ReflectanceComponent;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
 import sunbeam.precompute.color.CieTable;
@@ -160,12 +163,17 @@ final class SkinSurface implements AutoCloseable {
             GeometryBuffer buffer,
             Tile block,
             double exposure) {
-        int lights = Framing.lights(scene).size();
+        List<SceneLight> lights = scene.lights();
         int taps = context.info().software() ? MOVING_SOFTWARE_TAPS : MOVING_HARDWARE_TAPS;
         ShaderProgram moving = movingPrograms.computeIfAbsent(
-                lights, count -> method.program("moving.frag", Map.of("MOST_TAPS", taps + "", "LIGHTS", count + "")));
+                lights.size(),
+                count -> method.program("moving.frag", Map.of("MOST_TAPS", taps + "", "LIGHTS", count + "")));
         setLight(moving, scene);
-        moving.set("lightVariances", Framing.variances(scene));
+        float[] variances = new float[lights.size()];
+        for (int i = 0; i < variances.length; i++) {
+            variances[i] = (float) Math.pow(scene.deviation(lights.get(i)), 2);
+        }
+        moving.set("lightVariances", variances);
         Map<String, Texture> textures = new HashMap<>(method.textures());
         texture.ifPresent(tiles -> {
             setFootprints(moving, tiles.table(), scene, taps, 1, false);
@@ -194,9 +202,17 @@ final class SkinSurface implements AutoCloseable {
         return target.readColors(0, whole);
     }
 
+    /** For jrtr/lights.glsl. */
+    static void setLights(ShaderProgram program, Scene scene) {
+        List<Light> lights = scene.lights().stream()
+                .map(light -> new Light(light.towards(), new Vector3f((float) light.intensity())))
+                .toList();
+        Light.apply(lights, program);
+    }
+
     /** For jrtr/lights.glsl, include/blend.glsl and include/sky.glsl. */
     private void setLight(ShaderProgram program, Scene scene) {
-        Light.apply(Framing.lights(scene), program);
+        setLights(program, scene);
         program.set("diffractionWeight", (float) (scene.get(SceneSettings.DIFFRACTION) * diffractionScale));
         program.set("textureWeight", scene.get(SceneSettings.TEXTURE_WEIGHT).floatValue());
         program.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());

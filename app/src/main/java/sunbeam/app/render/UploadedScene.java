@@ -15,7 +15,6 @@ import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.Light;
 import jrtr.scene.PlacedMesh;
 import jrtr.scene.View;
 import org.joml.Quaternionfc;
@@ -212,7 +211,7 @@ final class UploadedScene implements AutoCloseable {
             Map<String, Texture> textures = new HashMap<>(uploaded);
             textures.putAll(furtherTextures);
             textures.keySet().removeIf(name -> !program.isActive(name));
-            return new PlacedMesh(mesh, Framing.toWorld(orientation, mesh.bounds()), program, textures, faces);
+            return new PlacedMesh(mesh, SkinGeometry.toWorld(orientation, mesh.bounds()), program, textures, faces);
         }
 
         @Override
@@ -236,8 +235,8 @@ final class UploadedScene implements AutoCloseable {
             double rotation = scene.get(SceneSettings.ROTATE_PATCH);
             PlacedMesh placed =
                     uploaded.body.placed(mesh, scene.orientation(), program, rotation, Faces.BOTH, Map.of());
-            Light.apply(Framing.lights(scene), program);
-            placed.draw(context, Framing.view(scene.view(), mesh.bounds()), pixel, target, Tile.whole(1, 1));
+            SkinSurface.setLights(program, scene);
+            placed.draw(context, SkinGeometry.view(scene.view(), mesh.bounds()), pixel, target, Tile.whole(1, 1));
             float[] point = target.read(0);
             if (point[3] == 0) {
                 return Optional.empty();

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
@@ -127,7 +128,7 @@ class BuiltInScenesTest extends InAScene {
 
     /** Greatest distance of the mesh from the middle along x and y, in halves of the picture. */
     private static float[] reach(Scene scene, int width, int height) {
-        Matrix4f toClip = Framing.view(scene.view(), new BoundingSphere(new Vector3f(), 1))
+        Matrix4f toClip = SkinGeometry.view(scene.view(), new BoundingSphere(new Vector3f(), 1))
                 .worldToClip(View.Area.whole(width, height));
         float[] reach = new float[2];
         for (int vertex = 0; vertex < SNAKE.vertices(); vertex++) {
