@@ -172,11 +172,11 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         private static final float THINNEST = 1e-4f;
 
         static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {
-            Vector3fc center = bounds.center();
+            Vector3f back = bounds.center().negate(new Vector3f());
             return new Matrix4f()
-                    .translation(center)
+                    .translation(bounds.center())
                     .rotate(orientation)
-                    .translate(-center.x(), -center.y(), -center.z());
+                    .translate(back);
         }
 
         static View view(Viewpoint view, BoundingSphere bounds) {

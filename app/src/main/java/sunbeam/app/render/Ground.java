@@ -53,14 +53,13 @@ final class Ground implements AutoCloseable {
         this.program = Resource.orClose(
                 () -> {
                     sky.upload(seen.ofGround());
-                    return program(context, 0);
+                    return program(context, "0");
                 },
                 sky::close);
     }
 
-    private static ShaderProgram program(RenderContext context, int screen) {
-        return context.createFullScreenProgram(
-                Shaders.library().load("ground.frag", Map.of("SCREEN", Integer.toString(screen))));
+    private static ShaderProgram program(RenderContext context, String screen) {
+        return context.createFullScreenProgram(Shaders.library().load("ground.frag", Map.of("SCREEN", screen)));
     }
 
     /**
@@ -103,7 +102,7 @@ final class Ground implements AutoCloseable {
     /** Draws the ground in sRGB into a whole block of a moving picture; the mesh is drawn over it. */
     void fillMovingBlock(FloatTarget picture, Scene scene, SkinGeometry geometry, Tile block, double exposure) {
         if (moving.isEmpty()) {
-            moving = Optional.of(program(context, 1));
+            moving = Optional.of(program(context, "1"));
         }
         ShaderProgram screen = moving.get();
         set(screen, scene, geometry, block);

@@ -165,10 +165,8 @@ public final class LineDrawings {
         private static final float LINE_WIDTH = 1.4f;
 
         public static LightCone of(Scene scene) {
-            return new LightCone(scene.view()
-                    .camera()
-                    .worldToCamera()
-                    .transformDirection(scene.light().towards(), new Vector3f()));
+            var toCamera = scene.view().camera().worldToCamera();
+            return new LightCone(toCamera.transformDirection(scene.light().towards(), new Vector3f()));
         }
 
         /** Returns the middle of the cone's mouth; its apex is the picture's middle. */

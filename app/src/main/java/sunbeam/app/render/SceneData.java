@@ -52,7 +52,7 @@ public record SceneData(
         return shape.bodies().get(region);
     }
 
-    /** Returns the notes and warnings about the patch, and about its size under the scene's method, one line each. */
+    /** Returns notes and warnings about the patch, and about its size under the scene's method: one line each, with its name. */
     public List<String> patchRemarks() {
         return patchRemarks(scene, patch);
     }
@@ -63,6 +63,7 @@ public record SceneData(
                 ScanLimit.of(choices, patch).line().map(line -> line.in(choices.origin(COHERENCE_LENGTH)));
         return Stream.of(patch.notes().stream(), patch.warning().stream(), limit.stream())
                 .flatMap(lines -> lines)
+                .map(line -> patch.name() + ": " + line)
                 .toList();
     }
 

@@ -56,7 +56,7 @@ public final class SceneLoader {
         this(environment, warning, warning);
     }
 
-    /** @param patchRemark accepts {@link SceneData#patchRemarks} with the patch's name */
+    /** @param patchRemark accepts {@link SceneData#patchRemarks} */
     public SceneLoader(Environment environment, Consumer<String> warning, Consumer<String> patchRemark) {
         this.environment = environment;
         this.warning = warning;
@@ -128,7 +128,7 @@ public final class SceneLoader {
         int count = patches.size() * parts.size();
         for (int region = 0; region < patches.size(); region++) {
             Patch patch = patches.get(region);
-            SceneData.patchRemarks(scene, patch).forEach(line -> patchRemark.accept(patch.name() + ": " + line));
+            SceneData.patchRemarks(scene, patch).forEach(patchRemark);
             for (Optional<ReflectanceComponent> part : parts) {
                 int before = loaded.size();
                 DoubleConsumer progressOfAll =

@@ -8,6 +8,7 @@ import jrtr.scene.Light;
 import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
+import org.joml.Vector3f;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
 import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.app.scene.mesh.MeshSource;
@@ -280,6 +281,23 @@ public record Scene(
 
         public double halfHeight(int width, int height) {
             return Math.tan(verticalFieldOfView / 2) * Math.max(1, LEAST_ASPECT * height / width);
+        }
+    }
+
+    /** Motion of an animated scene about the vertical (z), counterclockwise from above. */
+    public enum Motion {
+        /** Light and camera stay. */
+        TURNTABLE,
+        /** Mesh and camera stay. */
+        LIGHT_SWEEP;
+
+        public Scene at(Scene scene, double radians) {
+            if (this == TURNTABLE) {
+                Quaternionf turn = new Quaternionf().rotationZ((float) radians);
+                return scene.withOrientation(turn.mul(scene.orientation()).normalize());
+            }
+            Vector3f towards = new Vector3f(scene.light().towards()).rotateZ((float) radians);
+            return scene.withLight(scene.light().pointing(towards));
         }
     }
 }

@@ -232,8 +232,7 @@ public final class ControlPanel extends JTabbedPane {
         }
         plan = loaded.firstPart().method();
         remarks = loaded.parts().stream()
-                .flatMap(part ->
-                        part.patchRemarks().stream().map(line -> part.patch().name() + ": " + line))
+                .flatMap(part -> part.patchRemarks().stream())
                 .distinct()
                 .toList();
         patchCaption.setText(ControlOrigin.INSTANCE.name(PatchSettings.PATCH) + (remarks.isEmpty() ? "" : " (i)"));

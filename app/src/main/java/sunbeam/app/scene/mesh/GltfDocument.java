@@ -136,9 +136,8 @@ record GltfDocument(GlTF gltf, ByteBuffer binary) {
         } catch (JsonMappingException wrong) {
             JsonPointer path = JsonPointer.empty();
             for (JsonMappingException.Reference step : wrong.getPath()) {
-                path = step.getFieldName() == null
-                        ? path.appendIndex(step.getIndex())
-                        : path.appendProperty(step.getFieldName());
+                String field = step.getFieldName();
+                path = field == null ? path.appendIndex(step.getIndex()) : path.appendProperty(field);
             }
             throw wrong(path, tree.at(path));
         }
@@ -171,12 +170,10 @@ record GltfDocument(GlTF gltf, ByteBuffer binary) {
             throw wrong(path, value);
         }
         if (value instanceof ObjectNode object) {
-            object.remove(object.properties().stream()
-                    .filter(entry -> !TRANSFORMS.contains(entry.getKey()))
-                    .filter(entry ->
-                            entry.getValue().isArray() && entry.getValue().isEmpty())
-                    .map(Map.Entry::getKey)
-                    .toList());
+            object.properties()
+                    .removeIf(entry -> entry.getValue().isArray()
+                            && entry.getValue().isEmpty()
+                            && !TRANSFORMS.contains(entry.getKey()));
             for (Map.Entry<String, JsonNode> entry : object.properties()) {
                 if (!UNCHECKED.contains(entry.getKey())) {
                     entry.setValue(checkAndNormalize(path.appendProperty(entry.getKey()), entry.getValue()));
@@ -198,9 +195,7 @@ record GltfDocument(GlTF gltf, ByteBuffer binary) {
 
     /** The parser's own message is for programmers. */
     private static String place(JsonProcessingException wrong) {
-        return wrong.getLocation() == null
-                ? ""
-                : " in line " + wrong.getLocation().getLineNr() + ", column "
-                        + wrong.getLocation().getColumnNr();
+        var place = wrong.getLocation();
+        return place == null ? "" : " in line " + place.getLineNr() + ", column " + place.getColumnNr();
     }
 }

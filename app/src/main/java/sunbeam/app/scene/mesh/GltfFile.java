@@ -57,11 +57,9 @@ final class GltfFile {
     private RawMesh mesh() throws IOException {
         InputException.refuseIf(
                 gltf.getScenes() == null, "it has no scene, so nothing is placed; export it again with one");
-        List<Integer> roots = accessors
-                .entry(gltf.getScenes(), gltf.getScene() == null ? 0 : gltf.getScene(), "scene")
-                .getNodes();
+        int scene = Objects.requireNonNullElse(gltf.getScene(), 0);
         Deque<PendingNode> waiting = new ArrayDeque<>();
-        add(waiting, roots, UPRIGHT);
+        add(waiting, accessors.entry(gltf.getScenes(), scene, "scene").getNodes(), UPRIGHT);
         Set<Integer> seen = new HashSet<>();
         while (!waiting.isEmpty()) {
             PendingNode next = waiting.pop();
@@ -95,7 +93,7 @@ final class GltfFile {
         Quaterniond rotation = new Quaterniond(turn[0], turn[1], turn[2], turn[3]);
         if (rotation.lengthSquared() == 0) {
             throw new InputException("node " + number
-                    + " has the rotation [0,0,0,0]; a quaternion of length 1 is needed," + " so export it again");
+                    + " has the rotation [0,0,0,0]; a quaternion of length 1 is needed, so export it again");
         }
         return new Matrix4d()
                 .translation(move[0], move[1], move[2])

@@ -59,11 +59,9 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
 
     /** Returns the first byte's index; u repeats, v is clamped. */
     private static int byteIndex(BodyTexture texture, double u, double v) {
-        int column = (int) Math.floor((u - Math.floor(u)) * texture.width());
-        int row = (int) Math.floor((1 - v) * texture.height());
-        return 4
-                * (Math.max(0, Math.min(texture.height() - 1, row)) * texture.width()
-                        + Math.min(texture.width() - 1, column));
+        int column = Math.min(texture.width() - 1, (int) Math.floor((u - Math.floor(u)) * texture.width()));
+        int row = Math.max(0, Math.min(texture.height() - 1, (int) Math.floor((1 - v) * texture.height())));
+        return 4 * (row * texture.width() + column);
     }
 
     /** Returns means over a texel of size (du, dv): slopes along u and v, lightness, share of pale pigment. */

@@ -59,7 +59,6 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
         private final Mesh mesh;
         private final Vector3d middle;
         private final double radius;
-        private final double groundHeight;
         private final SkyVisibility shares;
 
         DepthMaps(Mesh mesh) {
@@ -67,7 +66,6 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
             this.mesh = mesh;
             this.middle = new Vector3d(bounds.center());
             this.radius = bounds.radius();
-            this.groundHeight = ground(mesh);
             this.shares = new SkyVisibility(new float[mesh.vertices()], new float[GROUND_SIDE * GROUND_SIDE]);
             int directions = mesh.triangles() > MANY_TRIANGLES ? FEW_DIRECTIONS : DIRECTIONS;
             float[] cosineSums = new float[mesh.vertices()];
@@ -163,11 +161,12 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
                 }
                 int side = GROUND_SIDE;
                 double step = 2 * GROUND_REACH * radius / side;
+                double height = ground(mesh);
                 for (int i = 0; i < shares.ofGround.length; i++) {
                     int row = i / side;
                     double x = middle.x + step * (i % side + 0.5 - side / 2.0);
                     double y = middle.y + step * (row + 0.5 - side / 2.0);
-                    if (sees(new Vector3d(x, y, groundHeight))) {
+                    if (sees(new Vector3d(x, y, height))) {
                         shares.ofGround[i] += (float) (direction.z / zSum);
                     }
                 }

@@ -117,9 +117,8 @@ public final class SnakeBody {
         double upward = -Math.cos(angle);
         double height = upward > 0 ? halfHeight(place) : bellyDepth(place);
         double swell = 1 + eye(place, angle);
-        return center(place)
-                .add(right.mul(swell * halfWidth(place) * Math.sin(angle)))
-                .add(up.mul(swell * height * upward));
+        Vector3d aside = right.mul(swell * halfWidth(place) * Math.sin(angle));
+        return center(place).add(aside).add(up.mul(swell * height * upward));
     }
 
     static Vector3d direction(double place) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.scene.texture.Body.Scales;
+import sunbeam.app.scene.texture.BodyColors.SnakeHead;
 
 /**
  * Relief of a snake's scales: convex plates in rows, neighbors offset by half a scale, each over the front of the next; on the belly a
@@ -97,10 +98,8 @@ public final class ScaleRelief {
     private static void headTexel(int column, int row, byte[] rgba, int at) {
         double along = (column + 0.5) / TEXELS;
         double around = 1 - 2 * (row + 0.5) / HEAD_ROWS;
-        double ahead =
-                BodyColors.SnakeHead.height(along + STEP, around) - BodyColors.SnakeHead.height(along - STEP, around);
-        double beside =
-                BodyColors.SnakeHead.height(along, around + STEP) - BodyColors.SnakeHead.height(along, around - STEP);
+        double ahead = SnakeHead.height(along + STEP, around) - SnakeHead.height(along - STEP, around);
+        double beside = SnakeHead.height(along, around + STEP) - SnakeHead.height(along, around - STEP);
         rgba[at] = slope(ahead / (2 * STEP), noise(2 * at));
         rgba[at + 1] = slope(beside / (2 * STEP * HALF_GIRTH), noise(2 * at + 1));
         rgba[at + 3] = code(1 / LIGHTEST);
