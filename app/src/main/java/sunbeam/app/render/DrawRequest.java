@@ -98,11 +98,8 @@ public record DrawRequest(
         /** @param multiple samples along a pixel's side, which divide the picture's sides and those of all blocks */
         static SceneBlocks of(int width, int height, int multiple) {
             int blockWidth = part(width, LONGEST_SIDE, multiple);
-            return new SceneBlocks(
-                    width,
-                    height,
-                    blockWidth,
-                    part(height, Math.min(LONGEST_SIDE, MOST_PIXELS / blockWidth), multiple));
+            int blockHeight = part(height, Math.min(LONGEST_SIDE, MOST_PIXELS / blockWidth), multiple);
+            return new SceneBlocks(width, height, blockWidth, blockHeight);
         }
 
         /** Returns the longest of few nearly equal parts of a side; one part more is taken if all are then equal and share buffers. */

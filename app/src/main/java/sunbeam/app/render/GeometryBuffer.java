@@ -172,11 +172,9 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         private static final float THINNEST = 1e-4f;
 
         static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {
-            Vector3f back = bounds.center().negate(new Vector3f());
-            return new Matrix4f()
-                    .translation(bounds.center())
-                    .rotate(orientation)
-                    .translate(back);
+            Vector3fc center = bounds.center();
+            Vector3f back = center.negate(new Vector3f());
+            return new Matrix4f().translation(center).rotate(orientation).translate(back);
         }
 
         static View view(Viewpoint view, BoundingSphere bounds) {

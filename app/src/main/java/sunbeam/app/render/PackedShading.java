@@ -29,10 +29,8 @@ final class PackedShading implements AutoCloseable {
     PackedShading(RenderContext context) {
         this.sources = context.createFloatTexture(
                 "sources", FloatTexture.Spec.flat(Packing.COLUMNS, Packing.ROWS, FloatTexture.Format.R32F));
-        this.target = Resource.orClose(
-                () -> context.createFloatTarget(
-                        "packed radiance", new FloatTarget.Spec(Packing.COLUMNS, Packing.ROWS, IMAGES, false)),
-                sources::close);
+        var spec = new FloatTarget.Spec(Packing.COLUMNS, Packing.ROWS, IMAGES, false);
+        this.target = Resource.orClose(() -> context.createFloatTarget("packed radiance", spec), sources::close);
     }
 
     /** Part of a block to shade. The buffer has also the geometry beside it, since footprints are differences to neighbors. */

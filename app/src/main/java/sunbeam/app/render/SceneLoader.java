@@ -193,11 +193,8 @@ public final class SceneLoader {
     }
 
     private List<Body> bodies(Scene scene) {
-        Body body = Body.load(
-                scene.get(SceneSettings.TEXTURE),
-                scene.effectiveScales(),
-                scene.get(SceneSettings.ORIENTATION_MAP),
-                cache);
+        String directions = scene.get(SceneSettings.ORIENTATION_MAP);
+        Body body = Body.load(scene.get(SceneSettings.TEXTURE), scene.effectiveScales(), directions, cache);
         PatchAtlas atlas = scene.patches();
         BodyTexture map = Body.patches(atlas.map(), atlas.colors());
         return atlas.regions().stream()
@@ -235,11 +232,9 @@ public final class SceneLoader {
         ShaderTables made = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOR)
                 : setup.tables(method, MethodUse.COLOR, progressOfTables);
+        Choices limited = scene.method().seeing(patch).choices();
         ShaderTables tables = scene.effectiveEnergy()
-                .divisor(
-                        patch.heights(),
-                        scene.get(SceneSettings.INDEX).values(),
-                        scene.method().seeing(patch).choices())
+                .divisor(patch.heights(), scene.get(SceneSettings.INDEX).values(), limited)
                 .map(divisor -> divisor.applyTo(made, setup.cie()))
                 .orElse(made);
         Optional<LevelBakers> bakers = levels.map(plan ->

@@ -120,10 +120,8 @@ public final class SceneSession implements AutoCloseable {
         for (SceneBlocks.Piece piece : request.blocks().split(request.tile())) {
             float[] pixels = shading.shade(part(request, geometry, piece));
             ground.ifPresent(below -> below.fillUncovered(pixels, request, geometry, piece));
-            picture.put(
-                    new ScenePicture(request.columns(piece.inBlock()), request.rows(piece.inBlock()), pixels),
-                    piece.x() / request.across(),
-                    piece.y() / request.down());
+            var drawn = new ScenePicture(request.columns(piece.inBlock()), request.rows(piece.inBlock()), pixels);
+            picture.put(drawn, piece.x() / request.across(), piece.y() / request.down());
         }
         return picture;
     }
@@ -134,10 +132,9 @@ public final class SceneSession implements AutoCloseable {
 
     private GeometryBuffer drawn(Layout layout, SkinGeometry geometry, Tile block) {
         long start = System.nanoTime();
-        GeometryBuffer buffer = buffers.computeIfAbsent(
-                        new CacheKey(layout, geometry.shadowLight().isPresent()),
-                        key -> new GeometryBuffer.Cache(context, layout))
-                .of(geometry, block);
+        CacheKey key = new CacheKey(layout, geometry.shadowLight().isPresent());
+        var cache = buffers.computeIfAbsent(key, absent -> new GeometryBuffer.Cache(context, layout));
+        GeometryBuffer buffer = cache.of(geometry, block);
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
     }

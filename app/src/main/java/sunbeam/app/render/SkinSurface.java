@@ -111,13 +111,11 @@ final class SkinSurface implements AutoCloseable {
         Map<String, Texture> textures = new HashMap<>(method.textures());
         textures.putAll(part.buffer().textures());
         if (texture.isPresent()) {
-            setFootprints(
-                    program,
-                    texture.get().table(),
-                    scene,
-                    MOST_TAPS,
-                    Math.max(1, request.samples() / request.footprintScale()),
-                    request.isCoarsest());
+            ColorTable table = texture.get().table();
+            setFootprints(program, table, scene);
+            program.set("leastLevel", request.isCoarsest() ? table.levels().size() - 1f : 0);
+            program.set("mostTaps", (float) MOST_TAPS);
+            program.set("samplesAcross", (float) Math.max(1, request.samples() / request.footprintScale()));
             program.set("footprintScale", (float) request.footprintScale());
             program.set("lookUps", hasColors ? 1 : 0);
             program.set("nextLevel", (float) (hasColors ? 0 : draw));
@@ -131,13 +129,7 @@ final class SkinSurface implements AutoCloseable {
     }
 
     /** Sets the uniforms of shaders/include/footprint.glsl. Fine relief widens footprints unless the table's levels include it. */
-    private static void setFootprints(
-            ShaderProgram program,
-            ColorTable table,
-            Scene scene,
-            int mostTaps,
-            double samplesAcross,
-            boolean isCoarsest) {
+    private static void setFootprints(ShaderProgram program, ColorTable table, Scene scene) {
         boolean hasRelief = table.slopeDeviation() > 0;
         program.set("finestVariance", (float) Math.pow(table.finestSigma(), 2));
         program.set("pointVariance", (float) Math.pow(table.sigma(), 2));
@@ -145,9 +137,6 @@ final class SkinSurface implements AutoCloseable {
         program.set("slopeVariance", hasRelief ? 0 : (float) Math.pow(scene.slopeDeviation(), 2));
         program.set("pointLevels", (float) table.pointLevelCount());
         program.set("levels", table.levels().size() - table.pointLevelCount());
-        program.set("leastLevel", isCoarsest ? table.levels().size() - 1f : 0);
-        program.set("mostTaps", (float) mostTaps);
-        program.set("samplesAcross", (float) samplesAcross);
     }
 
     /**
@@ -176,7 +165,10 @@ final class SkinSurface implements AutoCloseable {
         moving.set("lightVariances", variances);
         Map<String, Texture> textures = new HashMap<>(method.textures());
         texture.ifPresent(tiles -> {
-            setFootprints(moving, tiles.table(), scene, taps, 1, false);
+            setFootprints(moving, tiles.table(), scene);
+            moving.set("leastLevel", 0f);
+            moving.set("mostTaps", (float) taps);
+            moving.set("samplesAcross", 1f);
             textures.putAll(tiles.textures());
         });
         geometry.applyRaysTo(moving, block);

@@ -101,11 +101,10 @@ public record Scene(
 
     /** Returns the built-in or absolute names of texture, maps and patches. */
     public List<String> files() {
-        Stream<String> heights =
-                patches.regions().stream().map(region -> region.patch().patch());
+        Stream<String> own = Stream.of(get(SceneSettings.TEXTURE), get(SceneSettings.ORIENTATION_MAP), patches.map());
         return Stream.concat(
-                        Stream.of(get(SceneSettings.TEXTURE), get(SceneSettings.ORIENTATION_MAP), patches.map()),
-                        heights)
+                        own,
+                        patches.regions().stream().map(region -> region.patch().patch()))
                 .toList();
     }
 

@@ -241,11 +241,9 @@ public interface BodyColors {
         private static double seam(double along, double side, double widening) {
             double width = widening * SEAM_WIDTH;
             double seam = 0;
+            double top = 1 - step(TOP_EDGE, TOP_EDGE + 0.03, side);
             for (double at : SEAMS) {
-                seam = Math.max(
-                        seam,
-                        line(along - at - 0.12 * side * (0.5 - at), width)
-                                * (1 - step(TOP_EDGE, TOP_EDGE + 0.03, side)));
+                seam = Math.max(seam, line(along - at - 0.12 * side * (0.5 - at), width) * top);
             }
             boolean isFrontal = along > SEAMS[2] && along < SEAMS[3];
             double end = 1 - step(SEAMS[4], SEAMS[4] + 0.01, along);
