@@ -9,6 +9,7 @@ import java.util.function.IntFunction;
 import java.util.stream.Stream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.plan.Sampling.OrderSampling.BandRule;
+import sunbeam.precompute.plan.ShaderArrays.KernelPolynomials;
 import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.spectrum.Band;

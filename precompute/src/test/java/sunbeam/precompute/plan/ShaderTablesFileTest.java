@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.plan.ShaderArrays.KernelPolynomials;
 import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.spectrum.InterpolationDesign;
 
