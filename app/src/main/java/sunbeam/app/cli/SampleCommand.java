@@ -147,11 +147,10 @@ public final class SampleCommand extends FileCommand {
             certificate =
                     certify.count().map(places -> certified(sampled, setup.exact(method), first, rows, places, method));
             certificate.ifPresent(stated -> made.put("error_beside_reference", JsonOption.fields(stated)));
-            SampleRows.RowFile file = new SampleRows.RowFile(first, rows, columns, () -> {
-                ErrorStatistics difference = sampled.differenceFromSums();
-                made.put("error_beside_sums_over_wavelengths", JsonOption.fields(difference));
-                return JsonOption.text(made);
-            });
+            ErrorStatistics difference =
+                    channels == RowKind.XYZ ? sampled.differenceFromSums(first, rows) : ErrorStatistics.of();
+            made.put("error_beside_sums_over_wavelengths", JsonOption.fields(difference));
+            SampleRows.RowFile file = new SampleRows.RowFile(first, rows, columns, JsonOption.text(made));
             if (hdf5) {
                 AtomicFile.writeFile(output, overwrite(), file::writeHdf5);
             } else {

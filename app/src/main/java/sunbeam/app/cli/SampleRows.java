@@ -12,7 +12,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Function;
-import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.zip.Deflater;
 import java.util.zip.ZipOutputStream;
@@ -43,9 +42,6 @@ final class SampleRows {
     private final RadialBaker colors;
     private final PairDensity density;
     private final ColorBaker.Token token;
-    // X, Y, Z of the first rows of a file; null before they are computed.
-    private float[] firstXyz;
-    private long firstRow;
 
     /** @param plan plan with the ensemble average */
     SampleRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, ColorBaker.Token token) {
@@ -110,25 +106,14 @@ final class SampleRows {
                 new double[] {row.pair().u(), row.pair().v(), row.pair().w()});
     }
 
-    /** Returns the same as {@link #xyz}, and remembers the first rows of the file for {@link #differenceFromSums}. */
-    private float[] fileXyz(long first, int count) {
-        float[] xyz = xyz(first, count);
-        if (firstXyz == null) {
-            firstXyz = Arrays.copyOf(xyz, CHANNELS * Math.min(count, CHECKED_ROWS));
-            firstRow = first;
-        }
-        return xyz;
-    }
-
-    /** Returns the errors of the file's first rows against direct sums over wavelengths; empty if no colors have been computed. */
-    ErrorStatistics differenceFromSums() {
-        if (firstXyz == null) {
-            return ErrorStatistics.of();
-        }
-        int count = firstXyz.length / CHANNELS;
-        float[] exact = colors.direct().bake(places(firstRow, count), token);
+    /** Returns the errors of a file's first rows against direct sums over wavelengths. */
+    ErrorStatistics differenceFromSums(long first, int rows) {
+        int count = Math.min(rows, CHECKED_ROWS);
+        float[] places = places(first, count);
+        float[] xyz = colors.bakeRepeatably(places, ColorBaker.Token.NONE);
+        float[] exact = colors.direct().bake(places, token);
         return Comparison.relative(IntStream.range(0, count)
-                .mapToObj(i -> new Comparison(Comparison.xyz(firstXyz, i), Comparison.xyz(exact, i), 1))
+                .mapToObj(i -> new Comparison(Comparison.xyz(xyz, i), Comparison.xyz(exact, i), 1))
                 .toList());
     }
 
@@ -136,7 +121,7 @@ final class SampleRows {
         return List.of(
                 column("light", CHANNELS, row -> xyz(row.pair().wi())),
                 column("view", CHANNELS, row -> xyz(row.pair().wr())),
-                new RowFile.Column("xyz", CHANNELS, this::fileXyz),
+                new RowFile.Column("xyz", CHANNELS, this::xyz),
                 column("density", 1, row -> new double[] {density.at(row.pair())}));
     }
 
@@ -173,8 +158,8 @@ final class SampleRows {
         return values;
     }
 
-    /** Writer of a file of samples: one float32 array per column. The metadata is JSON, supplied after the columns are written. */
-    record RowFile(long first, int rows, List<Column> columns, Supplier<String> metadata) {
+    /** Writer of a file of samples: one float32 array per column. The metadata is JSON. */
+    record RowFile(long first, int rows, List<Column> columns, String metadata) {
         static final int BATCH = 1 << 21;
         // Rows of an HDF5 chunk: 768 KB for a column of width 3.
         private static final int CHUNK_ROWS = 1 << 16;
@@ -209,7 +194,7 @@ final class SampleRows {
                     }
                 }
                 zip.putNextEntry(NpyWriter.entry("metadata.json"));
-                zip.write(metadata.get().getBytes(StandardCharsets.UTF_8));
+                zip.write(metadata.getBytes(StandardCharsets.UTF_8));
                 zip.closeEntry();
             }
         }
@@ -224,7 +209,7 @@ final class SampleRows {
                             .build();
                     hdf.putDataset(column.name(), whole(column), options);
                 }
-                hdf.putAttribute("metadata", metadata.get());
+                hdf.putAttribute("metadata", metadata);
             } catch (HdfException failure) {
                 throw new IOException(failure.getMessage(), failure);
             }
