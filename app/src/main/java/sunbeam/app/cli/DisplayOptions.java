@@ -74,11 +74,7 @@ public final class DisplayOptions {
     }
 
     private static <T> T parsed(String option, String text, ValueKind<T> kind, T standard) {
-        try {
-            return text == null ? standard : kind.parse(text);
-        } catch (IllegalArgumentException wrong) {
-            throw new UsageException(option + " " + wrong.getMessage());
-        }
+        return text == null ? standard : UsageException.parsed(option + " ", () -> kind.parse(text));
     }
 
     /** True if the factor is computed from pictures. */

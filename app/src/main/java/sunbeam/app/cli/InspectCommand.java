@@ -100,7 +100,6 @@ public final class InspectCommand extends FileCommand {
         return doubt(List.of(loaded)).code();
     }
 
-    /** Picture of an inspection: heights, power spectrum, histogram, a profile, and the text. */
     private record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines) {
         private static final int PANEL_WIDTH = 860;
         private static final int PICTURE_HEIGHT = 720;

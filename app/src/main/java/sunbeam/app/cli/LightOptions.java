@@ -32,7 +32,6 @@ public final class LightOptions extends SettingOptions {
         this(Map.of());
     }
 
-    /** Makes options with other texts of the help for defaults that the command itself applies. */
     public LightOptions(Map<Setting<?>, String> helpTexts) {
         super(List.of(THETA_I, PHI_I), helpTexts);
     }

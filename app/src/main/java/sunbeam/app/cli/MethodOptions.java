@@ -27,7 +27,6 @@ public final class MethodOptions extends SettingOptions {
         this(Map.of());
     }
 
-    /** Makes options with other texts of the help for defaults that the command itself applies. */
     public MethodOptions(Map<Setting<?>, String> helpTexts) {
         super(Methods.SETTINGS, helpTexts);
     }

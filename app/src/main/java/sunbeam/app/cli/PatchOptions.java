@@ -32,9 +32,9 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchLoader.HeightCache;
 import sunbeam.precompute.patch.PatchLoader.PatchRequest;
-import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.MethodSettings.Preset;
@@ -230,11 +230,9 @@ public final class PatchOptions extends SettingOptions {
 
         /** Parses the option, or reads the file that it names; throws UsageException or InputException if they cannot be used. */
         public RefractiveIndex parse() {
-            try {
-                return IndexFile.isName(index) ? IndexFile.read(Path.of(index)) : RefractiveIndex.parse(index);
-            } catch (IllegalArgumentException wrong) {
-                throw new UsageException("--index " + index + ": " + wrong.getMessage());
-            }
+            return UsageException.parsed(
+                    "--index " + index + ": ",
+                    () -> IndexFile.isName(index) ? IndexFile.read(Path.of(index)) : RefractiveIndex.parse(index));
         }
     }
 
@@ -275,8 +273,9 @@ public final class PatchOptions extends SettingOptions {
                 Set<Path> described = new HashSet<>();
                 files.forEach(file -> heights(file).ifPresent(described::add));
                 if (files.isEmpty()) {
-                    throw new InputException("the folder " + folder
-                            + " has no scan; folders below it and hidden files do not count, name the folder of the scans");
+                    throw new InputException(
+                            "the folder " + folder
+                                    + " has no scan; folders below it and hidden files do not count, name the folder of the scans");
                 }
                 return files.stream()
                         .filter(file -> !described.contains(file.normalize()))
@@ -301,7 +300,8 @@ public final class PatchOptions extends SettingOptions {
         /** Empty if the file is no JSON, or cannot be read: the command reads it later and reports what is wrong. */
         private static Optional<JsonNode> json(Path file) {
             try {
-                return file.toString().toLowerCase(Locale.ROOT).endsWith(".json") && Files.size(file) <= LARGEST_DESCRIPTOR
+                return file.toString().toLowerCase(Locale.ROOT).endsWith(".json")
+                                && Files.size(file) <= LARGEST_DESCRIPTOR
                         ? Optional.of(new ObjectMapper().readTree(file.toFile()))
                         : Optional.empty();
             } catch (IOException broken) {

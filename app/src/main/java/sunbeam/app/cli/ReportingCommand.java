@@ -16,7 +16,6 @@ public abstract class ReportingCommand implements Callable<Integer> {
     @Spec
     private CommandSpec specification;
 
-    /** The root command, which has the environment. */
     @ParentCommand
     private Supplier<Environment> root;
 

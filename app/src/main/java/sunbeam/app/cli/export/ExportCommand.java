@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -146,7 +145,7 @@ public final class ExportCommand extends FileCommand {
         }
         double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance;
         TableWriter writer = writer(asked, tolerance);
-        long most = parsed("--size", () -> ByteSize.parse(size == null ? format.size : size));
+        long most = UsageException.parsed("--size ", () -> ByteSize.parse(size == null ? format.size : size));
         GridBaker.Limit limit = new GridBaker.Limit(writer, output, most);
         format.check(output, overwrite());
         if (size != null) {
@@ -219,15 +218,7 @@ public final class ExportCommand extends FileCommand {
     }
 
     private static SpectralBands bands(WavelengthBand range, int count) {
-        return parsed("--bands", () -> new SpectralBands(range, count));
-    }
-
-    private static <T> T parsed(String option, Supplier<T> parser) {
-        try {
-            return parser.get();
-        } catch (IllegalArgumentException wrong) {
-            throw new UsageException(option + " " + wrong.getMessage());
-        }
+        return UsageException.parsed("--bands ", () -> new SpectralBands(range, count));
     }
 
     enum Format {
@@ -253,7 +244,6 @@ public final class ExportCommand extends FileCommand {
             return ValueKind.name(this);
         }
 
-        /** Refuses a wrong file name or an unwritable output. */
         void check(Path output, Overwrite overwrite) {
             if (ending != null) {
                 ending.require("--output", output);

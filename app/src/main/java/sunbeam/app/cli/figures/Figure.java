@@ -103,7 +103,6 @@ record Figure(
         figure.set("pictures", expanded);
     }
 
-    /** Returns the figures with these numbers; all if the list is empty. Refuses unknown numbers. */
     static List<Figure> select(List<String> numbers) {
         List<Figure> all = all();
         List<String> known = all.stream().map(Figure::number).toList();

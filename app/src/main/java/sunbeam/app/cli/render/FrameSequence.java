@@ -96,7 +96,6 @@ public final class FrameSequence implements AutoCloseable {
         this.text = new FrameText(parts(), width, height, samples, overlays.describe());
     }
 
-    /** Returns the data of all sessions. */
     public List<SceneData> parts() {
         return sessions.stream().map(SceneSession::data).toList();
     }
