@@ -43,9 +43,8 @@ final class LogPolarConvolution {
         this.padded = Math.max(2, Integer.highestOneBit(length - 1) << 1);
         double shortest = Math.log(wavelengths.wavelengths()[0]);
         double step = (Math.log(wavelengths.wavelengths()[nodes - 1]) - shortest) / (nodes - 1);
-        // A kernel's last coefficient belongs to the frequency of the first position at the longest wavelength; the
-        // first
-        // average's center lies before the sequence.
+        // A kernel's last coefficient belongs to the frequency of the first position at the longest wavelength.
+        // The center of the first average lies before the sequence.
         int lastCenter = (interpolation.knots - 1 - AverageProjection.BEFORE) * positions.stride();
         double lowest = first - shortest - lastCenter * step;
         this.knots = new WindowedSpectrum.Knots(lowest, positions.stride() * step, length);

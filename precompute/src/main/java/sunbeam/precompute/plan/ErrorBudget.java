@@ -10,7 +10,8 @@ import sunbeam.precompute.spectrum.InterpolationDesign;
  * times the darkest amplitude. Interpolation errs relative to what it interpolates: a bright order's skirt is a Gaussian, down to the
  * darkest amplitude, 4.6 deviations from the middle.
  *
- * <p>On a rough patch no skirt stands alone, and a color sums dozens of wavelengths over dozens of orders with independent errors.
+ * <p>On a rough patch no skirt stands alone, and a color sums dozens of wavelengths over dozens of orders with independent errors,
+ * which count relative to the dark directions' amplitude.
  */
 public record ErrorBudget(double tolerance, Roughness roughness) {
     /** Smallest power within the promise, relative to the mirror's. */

@@ -90,6 +90,7 @@ public record VisibleRange(
         return Math.min(2, Math.hypot(largest(minimumU, maximumU), largest(minimumV, maximumV)));
     }
 
+    /** Returns the largest of |u| and |v|. */
     public double maximumComponent() {
         return Math.max(largest(minimumU, maximumU), largest(minimumV, maximumV));
     }
