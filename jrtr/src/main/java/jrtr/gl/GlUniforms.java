@@ -45,7 +45,6 @@ final class GlUniforms {
             return FlatUniforms.components(typeName());
         }
 
-        /** Returns the type as in GLSL, with brackets for an array, and the name. */
         String describe() {
             return typeName() + (array ? "[] " : " ") + name;
         }

@@ -158,7 +158,6 @@ public final class RenderContext implements AutoCloseable {
         }
     }
 
-    /** Waits until the device has finished all commands. */
     public void finish() {
         GL3 gl = device.gl();
         gl.glFinish();

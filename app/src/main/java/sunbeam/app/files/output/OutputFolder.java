@@ -81,11 +81,8 @@ public final class OutputFolder {
     /** Waits for the shutdown hooks of the folder's files, which run in any order. */
     private static void removeOnceEmpty(Path folder) {
         try {
-            for (int i = 0;
-                    i < HOOK_TRIES
-                            && folder.toFile().exists()
-                            && !folder.toFile().delete();
-                    i++) {
+            var file = folder.toFile();
+            for (int i = 0; i < HOOK_TRIES && file.exists() && !file.delete(); i++) {
                 Thread.sleep(HOOK_WAIT_MILLISECONDS);
             }
         } catch (InterruptedException ending) {

@@ -146,6 +146,7 @@ public final class Plot {
     }
 
     private Plot add(String name, double[] x, double[] y, XYLineAndShapeRenderer renderer) {
+        renderer.setLegendLine(LEGEND_LINE);
         DefaultXYDataset dataset = new DefaultXYDataset();
         dataset.addSeries(name, new double[][] {x, y});
         plot.setDataset(count, dataset);
@@ -158,7 +159,6 @@ public final class Plot {
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
         renderer.setSeriesPaint(0, color);
         renderer.setSeriesStroke(0, stroke);
-        renderer.setLegendLine(LEGEND_LINE);
         return renderer;
     }
 
@@ -166,7 +166,6 @@ public final class Plot {
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(false, true);
         renderer.setSeriesPaint(0, color);
         renderer.setSeriesShape(0, shape);
-        renderer.setLegendLine(LEGEND_LINE);
         return renderer;
     }
 }

@@ -104,7 +104,6 @@ final class Residency implements AutoCloseable {
         return mean;
     }
 
-    /** Returns the textures by sampler name; valid until tiles are added. */
     Map<String, Texture> textures() {
         if (!changed.isEmpty()) {
             upload();
