@@ -203,11 +203,7 @@ public record CacheFolder(Path path, String allowed) {
 
     /** Returns bytes: {@code SUNBEAM_CACHE_LIMIT} (such as {@code 4GB}; else {@link UsageException}) or {@link #STANDARD_LIMIT}. */
     public long limit() {
-        try {
-            return allowed.isEmpty() ? STANDARD_LIMIT : ByteSize.parse(allowed);
-        } catch (IllegalArgumentException wrong) {
-            throw new UsageException(LIMIT + ": " + wrong.getMessage());
-        }
+        return allowed.isEmpty() ? STANDARD_LIMIT : UsageException.parsed(LIMIT + ": ", () -> ByteSize.parse(allowed));
     }
 
     /** A quarter of the folder's limit: one surface must not displace all others. */

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.compare;
+package sunbeam.app.cli.render;
 
 import com.drew.imaging.ImageProcessingException;
 import com.drew.imaging.jpeg.JpegMetadataReader;

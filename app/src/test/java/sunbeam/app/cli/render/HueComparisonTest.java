@@ -1,4 +1,4 @@
-package sunbeam.app.cli.compare;
+package sunbeam.app.cli.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.compare;
+package sunbeam.app.cli.render;
 
 import java.util.Arrays;
 import java.util.LinkedHashMap;

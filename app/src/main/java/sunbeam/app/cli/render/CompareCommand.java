@@ -1,4 +1,4 @@
-package sunbeam.app.cli.compare;
+package sunbeam.app.cli.render;
 
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
@@ -17,8 +17,6 @@ import picocli.CommandLine.Parameters;
 import sunbeam.app.cli.DisplayOptions.PictureSize;
 import sunbeam.app.cli.FileCommand;
 import sunbeam.app.cli.SettingOptions;
-import sunbeam.app.cli.render.FrameSequence;
-import sunbeam.app.cli.render.SceneOverrides;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.PngWriter;

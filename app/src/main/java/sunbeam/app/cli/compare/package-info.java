@@ -1,2 +1,0 @@
-/** Command {@code compare}: compares a photograph with a rendered scene. */
-package sunbeam.app.cli.compare;
