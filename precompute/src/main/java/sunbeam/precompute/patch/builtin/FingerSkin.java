@@ -1,5 +1,6 @@
 package sunbeam.precompute.patch.builtin;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.builtin.RowLayout.FingerRow;
@@ -60,23 +61,15 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
     private void addColumn(int column, FingerRow[] rows, double[] heights) {
         double[] lines = lines(column * OVERSAMPLING, rows);
         double x = column * SIDE / SAMPLES;
-        int strip = 0;
-        Strip plates = strip(strip, lines, rows);
         for (int row = 0; row < SAMPLES; row++) {
             // Above the first line lies the last row of the previous period.
             double down = row * SIDE / SAMPLES;
             while (down < lines[0]) {
                 down += SIDE;
             }
-            int next = down < lines[strip] ? 0 : strip;
-            while (down >= lines[next + 1]) {
-                next++;
-            }
-            if (next != strip) {
-                strip = next;
-                plates = strip(strip, lines, rows);
-            }
-            heights[row * SAMPLES + column] += height(x, down - lines[strip], plates);
+            int found = Arrays.binarySearch(lines, down);
+            int strip = found < 0 ? -found - 2 : found;
+            heights[row * SAMPLES + column] += height(x, down - lines[strip], strip(strip, lines, rows));
         }
     }
 

@@ -19,7 +19,6 @@ import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.builtin.BuiltInPatches.RandomBumps;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /** Built-in patches; the contract of the acceptance tests has the colors of most. */
@@ -209,7 +208,7 @@ class BuiltInPatchesTest {
     private static double meanPower(int bumps, double phase, double fx, double fy) {
         return LongStream.range(0, DRAWS)
                 .parallel()
-                .mapToDouble(seed -> power(RandomBumps.generate(SAMPLES, bumps, seed), WINDOW, phase, fx, fy))
+                .mapToDouble(seed -> power(BuiltInPatches.bumps(SAMPLES, bumps, seed), WINDOW, phase, fx, fy))
                 .average()
                 .orElseThrow();
     }
