@@ -55,13 +55,9 @@ final class PictureReader {
 
     private PictureReader() {}
 
-    private static Optional<String> kind(ScanBytes file) throws IOException {
+    static Optional<String> kind(ScanBytes file) throws IOException {
         String head = file.headText(8);
         return KINDS.keySet().stream().filter(head::startsWith).map(KINDS::get).findFirst();
-    }
-
-    static boolean recognizes(ScanBytes file) throws IOException {
-        return kind(file).isPresent();
     }
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {

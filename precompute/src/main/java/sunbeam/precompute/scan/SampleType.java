@@ -63,7 +63,6 @@ public enum SampleType {
                 .findFirst();
     }
 
-    /** Throws ScanException for an unknown code. */
     public static SampleType of(Map<?, SampleType> types, Object code) {
         SampleType type = types.get(code);
         ScanException.refuseIf(

@@ -14,7 +14,6 @@ public final class ScanException extends RuntimeException {
         super(Text.oneLine(message), cause);
     }
 
-    /** Throws an exception with the message if the condition holds. */
     public static void refuseIf(boolean condition, String message) {
         if (condition) {
             throw new ScanException(message);

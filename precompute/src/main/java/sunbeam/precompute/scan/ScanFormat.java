@@ -7,7 +7,7 @@ import java.util.Optional;
 /** File format of scans, found by content, with a name for messages. */
 public record ScanFormat(String name, Reading<Boolean> check, Reading<List<ScanChannel>> opener) {
     private static final ScanFormat PICTURE =
-            new ScanFormat("image", PictureReader::recognizes, PictureReader::channels);
+            new ScanFormat("image", file -> PictureReader.kind(file).isPresent(), PictureReader::channels);
 
     /** In the order of their checks; text and pictures come last. */
     private static final List<ScanFormat> ALL = List.of(
@@ -54,9 +54,9 @@ public record ScanFormat(String name, Reading<Boolean> check, Reading<List<ScanC
                 return Optional.of(reader);
             }
         }
-        TextReader text = new TextReader(mark);
-        if (text.recognizes(file)) {
-            return Optional.of(new ScanFormat("text", text::recognizes, text::channels));
+        Optional<TextFile> text = TextFile.of(file, mark);
+        if (text.isPresent()) {
+            return Optional.of(new ScanFormat("text", same -> true, same -> TextReader.channels(text.get())));
         }
         return PICTURE.check.read(file) ? Optional.of(PICTURE) : Optional.empty();
     }

@@ -13,6 +13,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import javax.xml.stream.XMLInputFactory;
@@ -189,8 +190,13 @@ final class SurfaceDataReaders {
                 InputStream in = member(archive, points, (long) count * type.size())) {
             double[] samples = type.read(in, count, ByteOrder.LITTLE_ENDIAN);
             if (valid.isPresent()) {
-                try (InputStream bits = member(archive, valid.get(), 0)) {
-                    dropInvalid(samples, bits);
+                // One bit per sample, the lowest bit of a byte first; 0 marks a missing sample.
+                try (InputStream list = member(archive, valid.get(), 0)) {
+                    byte[] bits = list.readNBytes((count + 7) / 8);
+                    int known = Math.min(count, Byte.SIZE * bits.length);
+                    IntStream.range(0, known)
+                            .filter(i -> (bits[i / 8] >> i % 8 & 1) == 0)
+                            .forEach(i -> samples[i] = Double.NaN);
                 }
             }
             return samples;
@@ -202,15 +208,5 @@ final class SurfaceDataReaders {
     private static ScanException broken(IOException damaged) {
         return new ScanException(
                 "is a damaged archive (" + damaged.getMessage() + "); copy or export it again", damaged);
-    }
-
-    /** The stream has one bit per sample, the lowest bit of a byte first; 0 marks a missing sample. */
-    private static void dropInvalid(double[] samples, InputStream in) throws IOException {
-        byte[] bits = in.readNBytes((samples.length + 7) / 8);
-        for (int i = 0; i < samples.length && i / 8 < bits.length; i++) {
-            if ((bits[i / 8] >> i % 8 & 1) == 0) {
-                samples[i] = Double.NaN;
-            }
-        }
     }
 }

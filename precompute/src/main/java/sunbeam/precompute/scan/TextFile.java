@@ -81,7 +81,6 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         return broken ? StandardCharsets.ISO_8859_1 : StandardCharsets.UTF_8;
     }
 
-    /** Removes the last word, which may be cut off. */
     private static String withoutCutWord(String head, boolean cut) {
         int end = head.length();
         while (cut && end > 0 && " \t;,\r\n".indexOf(head.charAt(end - 1)) < 0) {

@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.text.Text;
 
 /** Reader of text: after any header, a matrix of numbers from the top row, or points x y z on a grid. */
-public record TextReader(Optional<DecimalMark> decimalMark) {
+public final class TextReader {
     /** If it is a point, commas separate numbers. */
     public enum DecimalMark {
         POINT,
@@ -30,13 +30,9 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
     private static final Pattern AXES = Pattern.compile(
             "(?i)[#%;*\\s\"]*x\\s*[\\[(]([^\\])]+)[\\])]\\W+y\\s*[\\[(]([^\\])]+)[\\])]\\W+(?:z|height)\\s*[\\[(]([^\\])]+)[\\])].*");
 
-    public boolean recognizes(ScanBytes file) throws IOException {
-        return TextFile.of(file, decimalMark).isPresent();
-    }
+    private TextReader() {}
 
-    /** Throws ScanException if the file cannot be used. */
-    public List<ScanChannel> channels(ScanBytes file) throws IOException {
-        TextFile text = TextFile.of(file, decimalMark).orElseThrow();
+    static List<ScanChannel> channels(TextFile text) throws IOException {
         TextFile.Facts facts = TextFile.Facts.of(text.header());
         TextNumbers numbers = text.numbers();
         boolean matrix = facts.extent().width().isPresent() || facts.columns().isPresent();

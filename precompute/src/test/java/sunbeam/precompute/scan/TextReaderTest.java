@@ -36,7 +36,10 @@ class TextReaderTest {
     /** Of a matrix of two rows or more. */
     private double[] read(String text, Optional<TextReader.DecimalMark> mark) throws IOException {
         try (ScanBytes file = ScanBytes.open(Files.writeString(folder.resolve("scan.txt"), text))) {
-            return new TextReader(mark).channels(file).get(0).samples().read();
+            return TextReader.channels(TextFile.of(file, mark).orElseThrow())
+                    .get(0)
+                    .samples()
+                    .read();
         }
     }
 
@@ -113,8 +116,9 @@ class TextReaderTest {
                 .mapToObj(i -> i % 4 + "\t" + i / 4 + "\t" + i * i + "\n")
                 .collect(Collectors.joining());
         try (ScanBytes file = ScanBytes.open(Files.writeString(folder.resolve("scan.txt"), header + "\n" + points))) {
-            ScanChannel channel =
-                    new TextReader(Optional.empty()).channels(file).get(0);
+            ScanChannel channel = TextReader.channels(
+                            TextFile.of(file, Optional.empty()).orElseThrow())
+                    .get(0);
             assertThat(channel.unit()).isEqualTo("nm");
             // Rounding of the unit's factor.
             assertThat(channel.extent().width().orElseThrow()).isCloseTo(4e-6, within(1e-20));
@@ -173,9 +177,9 @@ class TextReaderTest {
         Path path = folder.resolve("scan.txt");
         Files.write(path, ((marked ? "\ufeff" : "") + text).getBytes(Charset.forName(charset)));
         try (ScanBytes bytes = ScanBytes.open(path)) {
-            TextReader reader = new TextReader(Optional.empty());
-            assertThat(reader.recognizes(bytes)).isTrue();
-            ScanChannel channel = reader.channels(bytes).get(0);
+            ScanChannel channel = TextReader.channels(
+                            TextFile.of(bytes, Optional.empty()).orElseThrow())
+                    .get(0);
             assertThat(channel.columns()).isEqualTo(3);
             // Rounding of the unit's factor.
             assertThat(channel.extent().width().orElseThrow()).isCloseTo(5e-6, within(1e-20));
@@ -190,7 +194,7 @@ class TextReaderTest {
         Path path = folder.resolve("scan.txt");
         Files.write(path, Arrays.copyOf("\ufeff1\t2".getBytes(StandardCharsets.UTF_16LE), length));
         try (ScanBytes bytes = ScanBytes.open(path)) {
-            assertThat(new TextReader(Optional.empty()).recognizes(bytes)).isFalse();
+            assertThat(TextFile.of(bytes, Optional.empty())).isEmpty();
         }
     }
 
