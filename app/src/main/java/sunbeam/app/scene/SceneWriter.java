@@ -153,7 +153,7 @@ public final class SceneWriter {
 
     private void patch(String key, PatchRequest patch) throws IOException {
         String file = toWrittenName.apply(patch.patch());
-        if (patch.isNameOnly()) {
+        if (patch.choices().without(PatchSettings.PATCH).chosen().isEmpty()) {
             json.writeStringField(key, file);
         } else {
             object(key, patch.choices().with(PatchSettings.PATCH, file));

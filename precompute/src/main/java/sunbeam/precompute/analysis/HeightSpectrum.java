@@ -112,9 +112,8 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         // Share of the variance; noise has less in one frequency.
         private static final double OVERTONE = 0.01;
         private static final int MOST_DIRECTIONS = 3;
-        // Shares of the variance in the waves and their overtones, for a period and for any piece, whose strongest
-        // frequencies need the third share: noise along one axis, too, has overtones of the patch's length, but weak
-        // ones.
+        // Shares of the variance in the waves and their overtones, for a period and for any piece; and in a piece's
+        // strongest frequencies: noise along one axis, too, has overtones of the patch's length, but weak ones.
         private static final double SHARE_OF_PERIOD = 0.4;
         private static final double SHARE_OF_PIECE = 0.98;
         private static final double PEAKS_OF_PIECE = 0.5;

@@ -4,7 +4,6 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Spatial frequency of a wave in cycles per meter along +x and +y (upwards); (-x, -y) is the same wave. */
 public record SpatialFrequency(double x, double y) {
-
     public double length() {
         return Math.hypot(x, y);
     }

@@ -47,7 +47,6 @@ record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, do
         this(HeightSpectrum.of(scan, HeightSpectrum.Edges.TAPERED), which, 1 / scan.width(), 1 / scan.height());
     }
 
-    /** Returns the highest accepted line, refined by parabolas. */
     Optional<SpatialFrequency> strongest(Predicate<SpatialFrequency> also) {
         Predicate<SpatialFrequency> both = which.and(also);
         return spectrum.highest(place -> both.test(spectrum.frequency(place))).map(this::refined);

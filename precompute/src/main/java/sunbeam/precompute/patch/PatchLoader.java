@@ -197,10 +197,6 @@ public final class PatchLoader {
             return choices.get(PatchSettings.PATCH);
         }
 
-        public boolean isNameOnly() {
-            return choices.without(PatchSettings.PATCH).chosen().isEmpty();
-        }
-
         /** Runs an action whose exceptions name the origin of a setting or are an {@link InputException} about the patch. */
         <T> T located(Supplier<T> action) {
             try {

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.Preparation.Spikes;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Text;
@@ -43,7 +44,6 @@ public final class Plausibility {
     // Force microscopes reach 150 um, interference microscopes a few hundred.
     private static final double USUAL_FROM = 300e-9;
     private static final double USUAL_TO = 1e-3;
-    private static final int MOST_EXAMINED = 100_000;
     // Samples count as integers if they have this many distinct values, each RECURRING times on average.
     private static final int FEWEST_LEVELS = 16;
     private static final int RECURRING = 4;
@@ -118,12 +118,7 @@ public final class Plausibility {
 
     /** Warns of the smallest step between some heights if they seem to be integers. */
     private static Optional<String> coarseHeights(HeightMap map) {
-        int stride = Math.max(1, map.heights().length / MOST_EXAMINED);
-        double[] sorted = IntStream.range(0, map.heights().length / stride)
-                .mapToDouble(i -> map.heights()[i * stride])
-                .filter(Double::isFinite)
-                .sorted()
-                .toArray();
+        double[] sorted = Spikes.sorted(map.heights());
         double[] distinct = Arrays.stream(sorted).distinct().toArray();
         if (distinct.length < FEWEST_LEVELS || sorted.length < RECURRING * distinct.length) {
             return Optional.empty();

@@ -62,7 +62,6 @@ public record Crop(double left, double right, double bottom, double top) {
             return Math.max(0, endRow - firstRow);
         }
 
-        /** Returns some of these rows, from the first one on. */
         Samples rows(int from, int to) {
             return new Samples(firstColumn, endColumn, firstRow + from, firstRow + to);
         }

@@ -134,13 +134,18 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
                     .filter(spikes -> spikes.count() > 0 && relief > CONSPICUOUS * spikes.cleaned.relief());
         }
 
-        private static double usualRange(double[] heights) {
+        /** Returns some evenly spaced heights without missing ones, ascending. */
+        public static double[] sorted(double[] heights) {
             int stride = Math.max(1, heights.length / MOST_EXAMINED);
-            double[] some = IntStream.range(0, heights.length / stride)
+            return IntStream.range(0, heights.length / stride)
                     .mapToDouble(i -> heights[i * stride])
                     .filter(Double::isFinite)
                     .sorted()
                     .toArray();
+        }
+
+        private static double usualRange(double[] heights) {
+            double[] some = sorted(heights);
             int outside = (int) ((1 - NEARLY_ALL) * some.length);
             return some.length == 0 ? Double.NaN : some[some.length - 1 - outside] - some[outside];
         }

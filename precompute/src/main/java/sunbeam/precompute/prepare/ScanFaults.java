@@ -21,8 +21,7 @@ import sunbeam.precompute.units.Lengths;
  * periodic, or come in pairs, one up and one down.
  */
 public final class ScanFaults {
-    private static final int FEWEST_ROWS = 16;
-    private static final int FEWEST_COLUMNS = 16;
+    private static final int FEWEST = 16;
     // Evenly spaced: the error of their median is a twelfth of their spread.
     private static final int MOST_COLUMNS = 256;
     // Least jump, in robust deviations of all offsets, and in spreads of the columns.
@@ -68,7 +67,7 @@ public final class ScanFaults {
     public static List<ScanFault> in(HeightMap whole, Optional<Crop> crop) {
         Crop.Samples place = crop.map(part -> part.samples(whole)).orElseGet(() -> Crop.Samples.allOf(whole));
         HeightMap scan = crop.isPresent() ? crop.get().apply(whole) : whole;
-        if (scan.rows() < FEWEST_ROWS || scan.columns() < FEWEST_COLUMNS) {
+        if (scan.rows() < FEWEST || scan.columns() < FEWEST) {
             return List.of();
         }
         MeasuredRows measured = new MeasuredRows(scan);
@@ -98,7 +97,7 @@ public final class ScanFaults {
     }
 
     private List<ScanFault> offsetFaults(HeightMap whole, Crop.Samples place) {
-        if (offsets.size() < FEWEST_ROWS || !(spread > 0)) {
+        if (offsets.size() < FEWEST || !(spread > 0)) {
             return List.of();
         }
         List<Offset> jumps = jumps();
