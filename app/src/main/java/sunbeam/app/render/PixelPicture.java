@@ -115,22 +115,18 @@ public final class PixelPicture {
             float[] rgba = samples.rgba();
             // A pixel's samples of the ground are equal and need one transform.
             if (last < 0 || !Arrays.equals(rgba, last, last + CHANNELS, rgba, from, from + CHANNELS)) {
-                transform(from);
+                // The sample's light is premultiplied by coverage.
+                float uncovered = Math.max(0, 1 - rgba[from + CHANNELS - 1]);
+                display.light(rgba, from, sample);
+                for (int c = 0; c < sample.length; c++) {
+                    sample[c] = Math.min(1, sample[c] + uncovered * behind[c]);
+                }
                 last = from;
             }
             for (int c = 0; c < sum.length; c++) {
                 sum[c] += sample[c];
                 least[c] = Math.min(least[c], sample[c]);
                 most[c] = Math.max(most[c], sample[c]);
-            }
-        }
-
-        /** The sample's light is premultiplied by coverage. */
-        private void transform(int from) {
-            float uncovered = Math.max(0, 1 - samples.rgba()[from + CHANNELS - 1]);
-            display.light(samples.rgba(), from, sample);
-            for (int c = 0; c < sample.length; c++) {
-                sample[c] = Math.min(1, sample[c] + uncovered * behind[c]);
             }
         }
     }

@@ -19,17 +19,15 @@ public record ScenePicture(int width, int height, float[] rgba) {
                 width, height, new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))]);
     }
 
-    /** Adds pictures to the first and returns it. */
+    /** Adds pictures to the first and returns it. A color missing in one picture is missing in the sum. */
     static ScenePicture sum(List<ScenePicture> pictures) {
-        pictures.stream().skip(1).forEach(pictures.get(0)::add);
-        return pictures.get(0);
-    }
-
-    /** A color missing in either picture is missing in the sum. */
-    private void add(ScenePicture other) {
-        for (int i = 0; i < rgba.length; i++) {
-            rgba[i] = i % CHANNELS == CHANNELS - 1 ? Math.min(rgba[i], other.rgba[i]) : rgba[i] + other.rgba[i];
+        float[] sum = pictures.get(0).rgba;
+        for (ScenePicture other : pictures.subList(1, pictures.size())) {
+            for (int i = 0; i < sum.length; i++) {
+                sum[i] = i % CHANNELS == CHANNELS - 1 ? Math.min(sum[i], other.rgba[i]) : sum[i] + other.rgba[i];
+            }
         }
+        return pictures.get(0);
     }
 
     /** Copies a tile into this picture, its top left pixel to column x and row y. */

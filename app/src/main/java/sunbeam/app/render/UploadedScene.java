@@ -65,23 +65,16 @@ final class UploadedScene implements AutoCloseable {
 
     /** Geometry of a scene with the uploaded meshes; draws its shadow map first, if it has shadows. */
     SkinGeometry geometry(Scene scene, int width, int height, boolean moves) {
+        VertexBuffer buffer = mesh.buffer();
+        boolean closed = mesh.mesh().closed();
+        double rotation = scene.get(SceneSettings.ROTATE_PATCH);
         Optional<Vector3fc> light =
                 scene.hasShadows() ? Optional.of(scene.light().towards()) : Optional.empty();
-        light.ifPresent(
-                towards -> shadows.draw(mesh.buffer(), mesh.mesh().closed(), scene.orientation(), towards, moves));
+        light.ifPresent(towards -> shadows.draw(buffer, closed, scene.orientation(), towards, moves));
         // The shading pass of moving pictures reads shadows, so that a moving light leaves the geometry valid.
-        Optional<Vector3fc> geometryLight = moves ? Optional.empty() : light;
+        Optional<Vector3fc> shadowLight = moves ? Optional.empty() : light;
         return new SkinGeometry(
-                mesh.buffer(),
-                mesh.mesh().closed(),
-                body,
-                scene.view(),
-                scene.orientation(),
-                scene.get(SceneSettings.ROTATE_PATCH),
-                shadows,
-                geometryLight,
-                width,
-                height);
+                buffer, closed, body, scene.view(), scene.orientation(), rotation, shadows, shadowLight, width, height);
     }
 
     /** Uploads a scene without its diffraction, for moving pictures of the body. */

@@ -56,9 +56,10 @@ public final class SceneWriter {
 
     /** Returns JSON for a picture's metadata, without local folders. */
     public static String caption(Scene scene) {
-        UnaryOperator<String> withoutFolder =
-                name -> String.valueOf(Path.of(name).getFileName());
-        return text(scene, scene.method().choices(), withoutFolder);
+        return text(
+                scene,
+                scene.method().choices(),
+                name -> String.valueOf(Path.of(name).getFileName()));
     }
 
     private static String relative(Path folder, String name) {

@@ -98,7 +98,12 @@ public final class BuiltInMeshes {
             int[][] rings = new int[RINGS][];
             Arrays.setAll(rings, ring -> snake.ring(ring));
             for (int ring = 0; ring + 1 < RINGS; ring++) {
-                snake.join(rings[ring], rings[ring + 1]);
+                int[] first = rings[ring];
+                int[] second = rings[ring + 1];
+                for (int column = 0; column < COLUMNS; column++) {
+                    snake.builder.triangle(first[column], second[column], second[column + 1]);
+                    snake.builder.triangle(first[column], second[column + 1], first[column + 1]);
+                }
             }
             snake.closeSnout(rings[0]);
             snake.closeTail(rings[RINGS - 1]);
@@ -144,13 +149,6 @@ public final class BuiltInMeshes {
                 vertices[column] = builder.vertex(frame, SnakeBody.u(place), v);
             }
             return vertices;
-        }
-
-        private void join(int[] first, int[] second) {
-            for (int column = 0; column < COLUMNS; column++) {
-                builder.triangle(first[column], second[column], second[column + 1]);
-                builder.triangle(first[column], second[column + 1], first[column + 1]);
-            }
         }
 
         /** Each triangle has its own vertex at the tip, whose tangent points towards the triangle. */

@@ -64,9 +64,7 @@ public record RawMesh(
     /** Returns the normal, with twice the triangle's area as its length. */
     public Vector3d areaNormal(int first) {
         Vector3d origin = positionOf(first);
-        Vector3d one = positionOf(first + 1).sub(origin);
-        Vector3d other = positionOf(first + 2).sub(origin);
-        return one.cross(other);
+        return positionOf(first + 1).sub(origin).cross(positionOf(first + 2).sub(origin));
     }
 
     RawMesh scaled(double factor) {

@@ -74,10 +74,9 @@ public interface BodyColors {
 
         @Override
         public Vector3dc at(double along, double around) {
-            if (along < ScaleRelief.BEGIN) {
-                return head(along / ScaleRelief.BEGIN, around);
-            }
-            return body((along - ScaleRelief.BEGIN) / (1 - ScaleRelief.BEGIN), around);
+            return along < ScaleRelief.BEGIN
+                    ? head(along / ScaleRelief.BEGIN, around)
+                    : body((along - ScaleRelief.BEGIN) / (1 - ScaleRelief.BEGIN), around);
         }
 
         private Vector3dc head(double along, double around) {
@@ -133,10 +132,9 @@ public interface BodyColors {
         /** Distance from the middle of a rounded rectangle (x and y from -1 to 1); approximate beyond {@link #FARTHEST}. */
         private static double superellipse(double x, double y) {
             double least = Math.max(Math.abs(x), Math.abs(y));
-            if (least > FARTHEST) {
-                return least;
-            }
-            return Math.pow(Math.pow(Math.abs(x), 2.6) + Math.pow(Math.abs(y), 2.6), 1 / 2.6);
+            return least > FARTHEST
+                    ? least
+                    : Math.pow(Math.pow(Math.abs(x), 2.6) + Math.pow(Math.abs(y), 2.6), 1 / 2.6);
         }
 
         private Vector3dc belly(double along, double around) {
