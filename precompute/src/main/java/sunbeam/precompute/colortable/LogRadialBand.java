@@ -233,8 +233,6 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
         // Table 1 of the paper.
         private static final double[] POLES = {-0.4305753470999738, -0.04309628820326465};
 
-        private QuinticSpline() {}
-
         /** Returns the coefficients of samples, transposed; overwrites the samples. */
         static float[] coefficients(float[] plane, int rows, int columns) {
             SplineFilter.alongColumns(plane, rows, columns, POLES);

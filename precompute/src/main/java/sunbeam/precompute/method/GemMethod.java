@@ -4,7 +4,6 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -25,7 +24,7 @@ import sunbeam.precompute.units.Lengths;
  * @param orders number of orders on each side of the mirror's; empty for the form's
  */
 public record GemMethod(
-        Optional<Double> spacing, Optional<Integer> orders, GemForm form, CoherenceWindow window, FresnelFactor fresnel)
+        Optional<Double> spacing, Optional<Integer> orders, GemForm form, GaussianArea area, FresnelFactor fresnel)
         implements Method {
     private static final int STAM_ORDERS = 8;
     // Widest patch that may be one period of a grating with visible colors, meters.
@@ -45,17 +44,12 @@ public record GemMethod(
                     choices.find(MethodSettings.SPACING),
                     choices.find(MethodSettings.ORDERS),
                     choices.get(MethodSettings.GEM_FORM, Preset.isThesis(choices) ? GemForm.THESIS : GemForm.STAM),
-                    GaussianArea.windowOf(choices),
+                    GaussianArea.STANDARD.with(GaussianArea.windowOf(choices)),
                     FresnelFactor.of(choices)));
 
     @Override
     public MethodType type() {
         return TYPE;
-    }
-
-    @Override
-    public GaussianArea area() {
-        return GaussianArea.STANDARD.with(window);
     }
 
     @Override
@@ -96,6 +90,6 @@ public record GemMethod(
         return fresnel.applyTo(tables.define("GEM_ORDERS", count)
                 .define("THESIS_FORM", form == GemForm.THESIS ? 1 : 0)
                 .reals("gemSpacing", period)
-                .build(window));
+                .build(area.window()));
     }
 }

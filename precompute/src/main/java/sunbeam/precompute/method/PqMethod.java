@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.plan.ArrayLayout;
@@ -40,7 +39,7 @@ import sunbeam.precompute.text.Text;
 public record PqMethod(
         TableChoices table,
         PeriodInterpolation interpolation,
-        CoherenceWindow window,
+        GaussianArea area,
         Optional<Integer> replicas,
         FresnelFactor fresnel)
         implements Method {
@@ -65,7 +64,7 @@ public record PqMethod(
             choices -> new PqMethod(
                     new TableChoices(choices),
                     interpolation(choices),
-                    GaussianArea.windowOf(choices),
+                    GaussianArea.STANDARD.with(GaussianArea.windowOf(choices)),
                     choices.find(MethodSettings.REPLICAS),
                     FresnelFactor.of(choices)));
 
@@ -80,14 +79,9 @@ public record PqMethod(
         return TYPE;
     }
 
-    @Override
-    public GaussianArea area() {
-        return GaussianArea.STANDARD.with(window);
-    }
-
     private Replicas replicas(HeightMap map) {
         return replicas.map(count -> new Replicas(count, count))
-                .orElseGet(() -> Replicas.filling(window, map.width(), map.height()));
+                .orElseGet(() -> Replicas.filling(area.window(), map.width(), map.height()));
     }
 
     @Override

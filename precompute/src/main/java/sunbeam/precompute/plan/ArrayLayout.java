@@ -41,8 +41,4 @@ public record ArrayLayout(
     public long bytes() {
         return (long) Float.BYTES * channels * width * height * layers;
     }
-
-    public int longestSide() {
-        return Math.max(width, height);
-    }
 }

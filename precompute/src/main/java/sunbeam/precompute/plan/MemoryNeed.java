@@ -56,7 +56,7 @@ public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
 
     /** Returns which limit is exceeded, as the end of a sentence that begins with "this plan". */
     Optional<String> excess(long heapLimit) {
-        long longestSide = largest(ArrayLayout::longestSide);
+        long longestSide = largest(layout -> Math.max(layout.width(), layout.height()));
         if (longestSide > LONGEST_SIDE) {
             return excess(
                     "textures of %d texels along a side, more than the %d of common drivers",

@@ -241,8 +241,6 @@ record SurfaceSums(HeightLevels heights, boolean isTabulated) {
             }
         }
 
-        private UnitCircle() {}
-
         /** Replaces angles, radians of magnitude up to 1e6, by their sines, and computes their cosines. */
         static void points(double[] angles, double[] cosines) {
             for (int i = 0; i < angles.length; i++) {
