@@ -184,9 +184,9 @@ public record LowRankExpansion(
      * for polynomials up to degree 2 {@value #NODES} - 1.
      */
     private record HeightRule(double[] heights, double[] shares) {
-        // Difference of zeta times scaled height over an interval of heights, radians, at the largest phase zeta. The
-        // squared
-        // error of an expansion has bandwidth 1; its mean errs by 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24.
+        // Difference of zeta times scaled height over an interval of heights, radians, at the largest phase zeta.
+        // The squared error of an expansion has bandwidth 1.
+        // Its mean errs by 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24.
         private static final double INTERVAL = 4;
         private static final int NODES = 12;
 
