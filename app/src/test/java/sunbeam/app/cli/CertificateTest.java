@@ -16,9 +16,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.cli.Certificate.Limits;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.cli.Certificate.Limits;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.errors.Comparison;
@@ -208,13 +208,9 @@ final class CertificateTest {
     private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(65e-6);
     private static final HeightMap MAP = new HeightMap(4, 2, 0.625e-6, 1e-6, new double[8]);
 
-    private static DirectionSampler sampler(long seed) {
-        return new DirectionSampler(MAP, WINDOW, seed);
-    }
-
     @Test
     void aimedDirectionsHitOrdersWithinTheWidthOfTheWindow() {
-        DirectionSampler sampler = sampler(3);
+        DirectionSampler sampler = new DirectionSampler(MAP, WINDOW, 3);
         double sigma = WINDOW.sigmaFrequency();
         for (int i = 0; i < 300; i++) {
             Query query = sampler.aimed();

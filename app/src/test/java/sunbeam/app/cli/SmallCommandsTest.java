@@ -13,6 +13,7 @@ import java.nio.file.attribute.FileTime;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import javax.imageio.ImageIO;
 import jrtr.GraphicsException;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -21,6 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 import sunbeam.app.cli.DoctorCommand.Check;
+import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.terminal.Environment;
@@ -31,7 +33,7 @@ import sunbeam.precompute.plan.ShaderTablesFile;
 import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.plan.TableArray;
 
-/** Commands about the cache, the machine and meshes. */
+/** Commands about the cache, the machine, its speed, and meshes. */
 final class SmallCommandsTest extends CommandLineFixture {
     private Path cache;
 
@@ -184,5 +186,68 @@ final class SmallCommandsTest extends CommandLineFixture {
             """)
     void whatAFormatOrAMeshDoesNotHaveIsRefused(String words, ExitCode code, String reason) {
         assertComplaint(code, "mesh " + words, reason);
+    }
+
+    /** A short window and a coarse tolerance make small tables. */
+    private static final String SMALL_TABLES = " --size 16 --samples 4 --coherence-length 4um";
+
+    private int benchmark(String words) {
+        return sunbeam("benchmark " + words);
+    }
+
+    @Test
+    @NeedsDisplay
+    void oneMethodStandsBesideTheThesisOnEachSurface() throws IOException {
+        assertSuccess(
+                benchmark("--json --patch lamellar --patch lamellar --method table --tolerance 1e-2" + SMALL_TABLES));
+
+        JsonNode rows = new ObjectMapper().readTree(out.toString()).get("measured");
+        assertThat(rows.findValuesAsText("patch")).containsExactly("lamellar", "lamellar", "lamellar-2", "lamellar-2");
+        assertThat(rows.findValuesAsText("method"))
+                .containsExactly("full, thesis", "table, tolerance 1e-2", "full, thesis", "table, tolerance 1e-2");
+        for (int i = 1; i < 4; i += 2) {
+            JsonNode table = rows.get(i);
+            // Most views of a grating are too dark to measure an error.
+            assertThat(table.get("views").intValue()).isBetween(1, 4);
+            // The median is promised; the 95th percentile of so few views is nearly the largest error, which is not.
+            assertThat(table.get("median_error_of_xyz").doubleValue()).isLessThanOrEqualTo(1e-2);
+            assertThat(table.get("bytes").longValue()).isPositive();
+        }
+    }
+
+    @Test
+    @NeedsDisplay
+    void thePageHasEveryMethodAndItsNumbers() throws Exception {
+        Path page = folder.resolve("speed.md");
+        String words = "--patch lamellar --tolerance 1e-1 --output " + page + SMALL_TABLES;
+
+        assertSuccess(benchmark(words));
+
+        String[] rows = {"| full, thesis", "| full, tolerance 1e-1", "| table, tolerance 1e-1", "| nmm", "| pq", "| gem"
+        };
+        assertThat(page).content().contains("\n## lamellar\n", "(speed/lamellar-methods.png)");
+        assertThat(page).content().contains(rows);
+        assertThat(out.toString()).as("printed, too").contains(rows);
+        assertThat(ImageIO.read(folder.resolve("speed/lamellar-methods.png").toFile()))
+                .isNotNull();
+        List<String> numbers = Files.readAllLines(folder.resolve("speed/benchmark.csv"));
+        assertThat(numbers.get(0)).startsWith("patch,method,pixels,");
+        assertThat(numbers).hasSize(1 + 6);
+        assertThat(numbers.get(6)).as("a method without a scale has no error").contains(",0,NaN,NaN,NaN,");
+        assertThat(benchmark(words)).as("an earlier benchmark's page stays").isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+    }
+
+    @Test
+    void whatIsWrongIsToldBeforeAnythingIsMeasured() {
+        assertThat(benchmark("--samples -1")).isEqualTo(2);
+        assertThat(benchmark("--patch lamellar --patch no-such-patch")).isEqualTo(4);
+        assertThat(benchmark("--patch lamellar --output " + folder.resolve("speed")))
+                .isEqualTo(2);
+        assertThat(benchmark("--patch lamellar --output " + folder.resolve(".md")))
+                .isEqualTo(2);
+        assertThat(out.toString()).isEmpty();
+        assertThat(err.toString().lines()).hasSize(4);
+        assertThat(err.toString()).contains("--samples -1", "no-such-patch", "--output", ".md");
+        assertThat(folder.toFile().list()).as("of this test").containsExactly(".cache");
     }
 }

@@ -11,13 +11,10 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.EnumSet;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicInteger;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.cache.CacheFolder;
@@ -55,104 +52,85 @@ class DiffractionSetupTest {
     private Path home;
 
     private final List<String> warnings = new ArrayList<>();
+    private int made;
 
     /** A tiny plan, which counts how often its tables are made. */
-    private static MethodPlan counted(AtomicInteger made) {
-        return new MethodPlan(
-                "counted",
-                List::of,
-                Optional.empty(),
-                Optional.empty(),
-                new MemoryNeed(0, List.of()),
-                EnumSet.allOf(MethodUse.class),
-                () -> "plan",
-                (use, sources) -> {
-                    made.incrementAndGet();
-                    return new ShaderTables.Builder("counted")
-                            .array(TableArray.of(ArrayLayout.flat("numbers", 3, 1, 1), new float[] {1, 2, 3}))
-                            .build(1, 1);
-                });
-    }
+    private final MethodPlan counted = new MethodPlan(
+            "counted",
+            List::of,
+            Optional.empty(),
+            Optional.empty(),
+            new MemoryNeed(0, List.of()),
+            EnumSet.allOf(MethodUse.class),
+            () -> "plan",
+            (use, sources) -> {
+                made++;
+                return new ShaderTables.Builder("counted")
+                        .array(TableArray.of(ArrayLayout.flat("numbers", 3, 1, 1), new float[] {1, 2, 3}))
+                        .build(1, 1);
+            });
 
-    private static Surface surface(String name) {
+    private static Surface surface() {
         HeightMap map = BuiltInPatches.generate("blaze");
-        return new Surface(map, name, map.digest(), CieTable.load());
+        return new Surface(map, "a", map.digest(), CieTable.load());
     }
 
-    private DiffractionSetup setup(String name) {
-        CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
+    private CacheFolder folder() {
+        return CacheFolder.of(new Environment(Map.of(), home));
+    }
+
+    private DiffractionSetup setup() {
         return new DiffractionSetup(
                 null,
-                surface(name),
-                folder,
+                surface(),
+                folder(),
                 warnings::add,
                 new ValidatedTable.Diagnostics(note -> {}, warnings::add),
                 new Environment(Map.of(), Path.of("")).progress());
     }
 
-    private List<Path> cached() throws Exception {
-        try (Stream<Path> files = Files.list(home.resolve(".cache/sunbeam"))) {
-            return files.filter(file -> !file.endsWith("limit")).toList();
-        }
-    }
-
-    private ShaderTables tables(MethodPlan plan, MethodUse use) {
-        return setup("a").tables(plan, use);
-    }
-
-    private String oneLight(MethodPlan plan) {
-        return setup("a").freshTables(plan, MethodUse.COLOR).defines().get("COLOR_ONE_LIGHT");
-    }
-
-    private static float[] numbers(ShaderTables tables) {
-        FloatBuffer layer = tables.arrays().get(0).layer(0);
+    private float[] numbers(MethodUse use) {
+        FloatBuffer layer = setup().tables(counted, use).arrays().get(0).layer(0);
         float[] values = new float[layer.remaining()];
         layer.get(values);
         return values;
     }
 
+    private String oneLight(MethodPlan plan) {
+        return setup().freshTables(plan, MethodUse.COLOR).defines().get("COLOR_ONE_LIGHT");
+    }
+
     @Test
     void cachedTablesAreNotMadeAgain() {
-        AtomicInteger made = new AtomicInteger();
-        MethodPlan plan = counted(made);
-
-        ShaderTables first = tables(plan, MethodUse.COLOR);
-        ShaderTables second = tables(plan, MethodUse.COLOR);
-
-        assertThat(made.get()).isOne();
-        assertThat(numbers(first)).containsExactly(1, 2, 3);
-        assertThat(numbers(second)).containsExactly(1, 2, 3);
-        tables(plan, MethodUse.SPECTRAL);
-        assertThat(made.get()).as("another use").isEqualTo(2);
+        assertThat(numbers(MethodUse.COLOR)).containsExactly(1, 2, 3);
+        assertThat(numbers(MethodUse.COLOR)).containsExactly(1, 2, 3);
+        assertThat(made).isOne();
+        numbers(MethodUse.SPECTRAL);
+        assertThat(made).as("another use").isEqualTo(2);
         assertThat(warnings).isEmpty();
     }
 
     @Test
     void readFilesCountAsUsedAndHaveALabel() throws Exception {
-        tables(counted(new AtomicInteger()), MethodUse.COLOR);
-        Path file = cached().get(0);
+        numbers(MethodUse.COLOR);
+        Path file = folder().entries().get(0).file();
         Files.setLastModifiedTime(file, FileTime.fromMillis(0));
-        tables(counted(new AtomicInteger()), MethodUse.COLOR);
-        CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
-        assertThat(folder.entries()).hasSize(1);
+        numbers(MethodUse.COLOR);
+        assertThat(folder().entries()).hasSize(1);
         assertThat(Files.getPosixFilePermissions(file))
                 .as("nobody else reads it")
                 .isEqualTo(PosixFilePermissions.fromString("rw-------"));
-        CacheFolder.Entry entry = folder.entries().get(0);
+        CacheFolder.Entry entry = folder().entries().get(0);
         assertThat(entry.lastUsed()).isAfter(Instant.now().minusSeconds(600));
-        assertThat(entry.label()).isEqualTo(TableLabel.of("a", surface("a").digest(), "counted"));
+        assertThat(entry.label()).isEqualTo(TableLabel.of("a", surface().digest(), "counted"));
     }
 
     @Test
     void withoutACacheFolderTablesAreMadeEachTime() throws Exception {
         Files.createFile(home.resolve(".cache"));
-        AtomicInteger made = new AtomicInteger();
-        MethodPlan plan = counted(made);
-
-        assertThat(numbers(tables(plan, MethodUse.COLOR))).containsExactly(1, 2, 3);
-        assertThat(numbers(tables(plan, MethodUse.COLOR))).containsExactly(1, 2, 3);
-
-        assertThat(made.get()).isEqualTo(2);
+        assertThat(numbers(MethodUse.COLOR)).containsExactly(1, 2, 3);
+        assertThat(numbers(MethodUse.COLOR)).containsExactly(1, 2, 3);
+        assertThat(made).isEqualTo(2);
         assertThat(warnings).hasSize(2).allMatch(line -> line.startsWith("no cache"));
     }
 
@@ -162,29 +140,27 @@ class DiffractionSetupTest {
                 .with(CoherenceWindow.ofCoherenceLength(4e-6))
                 .with(Average.ENSEMBLE);
         TableMethod method = new TableMethod(1e-2, area);
-        MethodPlan map = method.plan(surface("a"), VisibleRange.of(Direction.ofDegrees(20, 70)));
+        MethodPlan map = method.plan(surface(), VisibleRange.of(Direction.ofDegrees(20, 70)));
         assertThat(oneLight(map)).isEqualTo("1");
         ColorTablePlan all =
-                method.plan(surface("a"), VisibleRange.all()).colorTable().orElseThrow();
+                method.plan(surface(), VisibleRange.all()).colorTable().orElseThrow();
         TileGrid grid = TileGrid.of(all.table().levels().get(0));
         BitSet tiles = grid.reachable();
         SpectrumPlan bins = all.spectrum().orElseThrow();
-        PowerSpectrum spectrum = PowerSpectrum.of(setup("a").fourier(bins), 0.4 * all.tolerance());
-        List<byte[]> made = new LevelBaking(grid, all.table().numbers())
+        PowerSpectrum spectrum = PowerSpectrum.of(setup().fourier(bins), 0.4 * all.tolerance());
+        Iterator<byte[]> baked = new LevelBaking(grid, all.table().numbers())
                 .bake(
                         tiles,
                         new RadialBaker(
                                 spectrum, CieTable.load(), all.table().levels().get(0)),
-                        ColorBaker.Token.NONE);
-        try (CachedTiles kept = setup("a").tiles(all)) {
-            int[] numbers = tiles.stream().toArray();
-            kept.keep(
-                    0,
-                    IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get)));
+                        ColorBaker.Token.NONE)
+                .iterator();
+        try (CachedTiles kept = setup().tiles(all)) {
+            tiles.stream().forEach(tile -> kept.keep(0, Map.of(tile, baked.next())));
         }
 
         assertThat(oneLight(map)).isEqualTo("0");
-        MethodPlan other = method.plan(surface("a"), VisibleRange.of(Direction.ofDegrees(0, 0)));
+        MethodPlan other = method.plan(surface(), VisibleRange.of(Direction.ofDegrees(0, 0)));
         assertThat(oneLight(other)).isEqualTo("0");
     }
 }
