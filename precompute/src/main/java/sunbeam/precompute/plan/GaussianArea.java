@@ -38,8 +38,4 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
     public GaussianArea with(CoherenceWindow other) {
         return new GaussianArea(other, origin, average);
     }
-
-    public GaussianArea with(Average other) {
-        return new GaussianArea(window, origin, other);
-    }
 }

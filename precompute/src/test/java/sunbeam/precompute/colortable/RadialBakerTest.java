@@ -35,9 +35,10 @@ class RadialBakerTest {
     private static final double STEP = 0.0018 * 65 / 10;
 
     static GaussianArea ensemble(double coherenceLength) {
-        return GaussianArea.STANDARD
-                .with(CoherenceWindow.ofCoherenceLength(coherenceLength))
-                .with(Average.ENSEMBLE);
+        return new GaussianArea(
+                CoherenceWindow.ofCoherenceLength(coherenceLength),
+                CoherenceWindow.WindowOrigin.CENTRE,
+                Average.ENSEMBLE);
     }
 
     private static RadialBaker smallBaker() {

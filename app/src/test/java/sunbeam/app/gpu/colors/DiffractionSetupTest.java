@@ -136,9 +136,8 @@ class DiffractionSetupTest {
 
     @Test
     void aMapUsesCachedTilesOfAllLights() {
-        GaussianArea area = GaussianArea.STANDARD
-                .with(CoherenceWindow.ofCoherenceLength(4e-6))
-                .with(Average.ENSEMBLE);
+        GaussianArea area = new GaussianArea(
+                CoherenceWindow.ofCoherenceLength(4e-6), CoherenceWindow.WindowOrigin.CENTRE, Average.ENSEMBLE);
         TableMethod method = new TableMethod(1e-2, area);
         MethodPlan map = method.plan(surface(), VisibleRange.of(Direction.ofDegrees(20, 70)));
         assertThat(oneLight(map)).isEqualTo("1");
