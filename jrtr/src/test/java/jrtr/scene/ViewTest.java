@@ -5,11 +5,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import jrtr.Tile;
+import jrtr.VertexData;
+import jrtr.VertexData.BoundingSphere;
 import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
+/** Views, tiles of a picture, and the sphere about vertices. */
 class ViewTest {
     private static final float FIELD = 0.8f;
     private static final Camera CAMERA = new Camera(new Vector3f(0, -5, 0), new Vector3f(), new Vector3f(0, 0, 1));
@@ -60,5 +65,50 @@ class ViewTest {
                 .hasMessageContaining("up");
         assertThatThrownBy(() -> new Camera(eye, new Vector3f(Float.NaN, 0, 0), up))
                 .isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 1, 1", "10, 7, 3", "64, 64, 64", "65, 1, 64", "5, 9, 100"})
+    void coversEveryPixelExactlyOnce(int width, int height, int side) {
+        int[] hits = new int[width * height];
+        for (Tile tile : Tile.whole(width, height).divide(side)) {
+            assertThat(tile.fitsIn(width, height)).isTrue();
+            assertThat(Math.max(tile.width(), tile.height())).isLessThanOrEqualTo(side);
+            for (int y = tile.y(); y < tile.y() + tile.height(); y++) {
+                for (int x = tile.x(); x < tile.x() + tile.width(); x++) {
+                    hits[y * width + x]++;
+                }
+            }
+        }
+        assertThat(hits).containsOnly(1);
+    }
+
+    @Test
+    void refusesEmptyAndNegativeRectangles() {
+        assertThat(new Tile(0, 0, 0, 1).fitsIn(4, 4)).isFalse();
+        assertThat(new Tile(-1, 0, 1, 1).fitsIn(4, 4)).isFalse();
+        assertThatThrownBy(() -> Tile.whole(4, 4).divide(0)).isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
+    void partsOfATileLieWithinItAndCoverIt() {
+        Tile tile = new Tile(5, 7, 10, 9);
+        assertThat(tile.divide(4))
+                .allMatch(part -> part.x() >= 5 && part.x() + part.width() <= 15)
+                .allMatch(part -> part.y() >= 7 && part.y() + part.height() <= 16)
+                .hasSize(9)
+                .startsWith(new Tile(5, 7, 4, 4));
+        assertThat(tile.divide(4).stream().mapToLong(Tile::pixels).sum()).isEqualTo(tile.pixels());
+        assertThat(tile.part(new Tile(8, 0, 2, 9))).isEqualTo(new Tile(13, 7, 2, 9));
+    }
+
+    @Test
+    void theBoundingSphereJustHoldsTheVertices() {
+        float[] positions = {1, 0, 0, 5, 0, 0, 3, 2, 0};
+        BoundingSphere bounds =
+                new VertexData(positions, new float[9], new float[12], new float[6], new int[] {0, 1, 2}).bounds();
+        assertThat(bounds.center()).isEqualTo(new Vector3f(3, 1, 0));
+        // Two vertices lie at (2, 1) from the box's middle.
+        assertThat(bounds.radius()).isCloseTo((float) Math.sqrt(5), within(1e-6f));
     }
 }
