@@ -205,14 +205,12 @@ public final class Sunbeam {
             optionListHeading = "%nOptions:%n",
             commandListHeading = "%nCommands:%n")
     private static final class Root implements Callable<Integer>, Supplier<Environment> {
-        static final String[] DESCRIPTION = {
-            "Sunbeam renders the colors that a nanostructured surface, such as a snake's skin or a compact disc,"
-                    + " makes by diffraction. It reads a height map measured by an atomic force microscope, precomputes"
-                    + " Fourier tables of it, and evaluates the diffraction BRDF for each pixel on the graphics card."
-        };
+        static final String DESCRIPTION =
+                "Sunbeam renders the colors that a nanostructured surface, such as a snake's skin or a compact disc,"
+                        + " makes by diffraction. It reads a height map measured by an atomic force microscope, precomputes"
+                        + " Fourier tables of it, and evaluates the diffraction BRDF for each pixel on the graphics card.";
 
-        // Never read: Sunbeam replaces this option by --help before the command line is parsed, and then installs the
-        // complete help.
+        // Never read: Sunbeam replaces it by --help before parsing, and then installs the complete help.
         @Option(
                 names = CommandHelp.COMPLETE,
                 scope = ScopeType.INHERIT,
