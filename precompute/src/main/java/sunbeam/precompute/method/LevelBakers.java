@@ -1,5 +1,7 @@
 package sunbeam.precompute.method;
 
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import java.util.function.Supplier;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.ColorBaker;
@@ -77,20 +79,30 @@ public final class LevelBakers {
                 true);
     }
 
-    /** Value computed once, by the first thread that needs it; others wait. After a failure the next call tries again. */
+    /** Value computed once, without a lock, by the first thread that needs it. After a failure the next call tries again. */
     static final class Lazy<T> {
         private final Supplier<T> maker;
-        private T value;
+        private volatile FutureTask<T> task;
 
         Lazy(Supplier<T> maker) {
             this.maker = maker;
+            task = new FutureTask<>(maker::get);
         }
 
-        synchronized T get() {
-            if (value == null) {
-                value = maker.get();
+        T get() {
+            FutureTask<T> current = task;
+            current.run(); // does nothing once another thread has begun
+            try {
+                return current.get();
+            } catch (ExecutionException failure) {
+                task = new FutureTask<>(maker::get);
+                if (failure.getCause() instanceof Error error) {
+                    throw error;
+                }
+                throw (RuntimeException) failure.getCause();
+            } catch (InterruptedException interrupted) {
+                throw new IllegalStateException("interrupted while another thread made the value", interrupted);
             }
-            return value;
         }
     }
 }
