@@ -79,7 +79,6 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         public static final int TOGETHER = 3;
 
         private static final double LEAST_STEP = 2;
-        private static final double FIRST = 380;
 
         public SpectralBands {
             double width = range.lastNanometers() - range.firstNanometers();
@@ -126,7 +125,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
 
         private double[] triangle(double center) {
             return IntStream.rangeClosed(0, Illuminant.LAST)
-                    .mapToDouble(i -> FIRST + i)
+                    .mapToDouble(i -> MINIMUM + i)
                     .map(at -> at < range.firstNanometers() || at > range.lastNanometers()
                             ? 0
                             : Math.max(0, 1 - Math.abs(at - center) / step()))
