@@ -256,7 +256,6 @@ public final class SceneLoader {
         private final BackgroundTask<SceneShape> shape;
         private final BackgroundTask<List<SceneData>> parts;
 
-        /** Starts loading. */
         public LoadingScene(SceneLoader loader, Scene scene) {
             this.scene = scene;
             this.shape = BackgroundTask.start(() -> loader.shape(scene));

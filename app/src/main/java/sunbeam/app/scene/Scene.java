@@ -222,7 +222,6 @@ public record Scene(
         return !method.isThesis() || get(SceneSettings.KEEPS_SURROUNDINGS);
     }
 
-    /** Color of the plane under the mesh. */
     public Optional<SceneColor> ground() {
         return drawsSurroundings() ? get(SceneSettings.GROUND) : Optional.empty();
     }

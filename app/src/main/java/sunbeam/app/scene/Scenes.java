@@ -70,7 +70,13 @@ public final class Scenes {
         if (NAMES.contains(nameOrFile)) {
             return builtIn(nameOrFile);
         }
-        Path file = path(nameOrFile);
+        Path file;
+        try {
+            file = Path.of(nameOrFile);
+        } catch (InvalidPathException broken) {
+            String reason = " is no file name (" + broken.getReason() + ")";
+            throw new InputException("scene " + Text.quoted(nameOrFile) + reason, broken);
+        }
         if (!Files.exists(file)) {
             throw new InputException((nameOrFile.endsWith(".json") ? "there is no file " : "there is no scene ")
                     + Text.quoted(nameOrFile) + "; name a scene file (.json), or one of " + String.join(", ", NAMES));
@@ -81,15 +87,6 @@ public final class Scenes {
     /** Returns a JPEG of 48 x 36 pixels. */
     public static URL picture(String name) {
         return Scenes.class.getClassLoader().getResource("sunbeam/scenes/" + name + ".jpg");
-    }
-
-    private static Path path(String name) {
-        try {
-            return Path.of(name);
-        } catch (InvalidPathException broken) {
-            throw new InputException(
-                    "scene " + Text.quoted(name) + " is no file name (" + broken.getReason() + ")", broken);
-        }
     }
 
     private static Scene builtIn(String name) {

@@ -13,7 +13,6 @@ public final class BuiltInMeshes {
         return List.of("snake", "plane", "sphere", "cylinder", "disc");
     }
 
-    /** Generates a mesh by one of the {@link #names}. */
     public static Mesh create(String name) {
         return switch (name) {
             case "snake" -> Snake.create();

@@ -197,7 +197,6 @@ final class VertexAssembly {
         return mean.dot(own) > 1e-6 * mean.length() * own.length() ? -1 : -2 - corner / 3;
     }
 
-    /** Returns the unit normal of a key. */
     private Vector3d normal(int position, int key) {
         if (key >= 0) {
             return Mesh.vector(mesh.normals(), key).normalize();
