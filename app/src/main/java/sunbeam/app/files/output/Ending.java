@@ -9,21 +9,22 @@ import sunbeam.app.terminal.UsageException;
 /** Kind of an output file, by the ending of its name. */
 public enum Ending {
     PNG("a PNG picture", "png"),
-    LINEAR("linear colors", "npy", "exr"),
+    LINEAR("linear colors", "npy exr"),
     NPZ("an archive of NumPy arrays", "npz"),
     BSDF("a measured material", "bsdf"),
-    CSV("comma-separated text", "csv", "txt"),
-    HTML("a page", "html", "htm"),
-    MESH("a mesh", "obj", "ply", "glb"),
-    HDF5("an HDF5 file", "h5", "hdf5", "he5"),
-    ROWS("an archive of NumPy arrays or an HDF5 file", "npz", "h5", "hdf5", "he5");
+    CSV("comma-separated text", "csv txt"),
+    HTML("a page", "html htm"),
+    MESH("a mesh", "obj ply glb"),
+    HDF5("an HDF5 file", "h5 hdf5 he5"),
+    ROWS("an archive of NumPy arrays or an HDF5 file", "npz h5 hdf5 he5");
 
     private final String what;
-    private final List<String> endings;
+    private final String endings;
 
-    Ending(String what, String... endings) {
+    /** @param endings without dot, separated by blanks; the usual one first */
+    Ending(String what, String endings) {
         this.what = what;
-        this.endings = List.of(endings);
+        this.endings = endings;
     }
 
     /** Refuses an ending that other programs would not read as this content. A name of null, standard output and devices need none. */
@@ -37,11 +38,12 @@ public enum Ending {
         String name = named.getFileName().toString();
         int dot = name.lastIndexOf('.');
         String ending = dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
-        if (!endings.contains(ending)) {
+        List<String> known = List.of(endings.split(" ", -1));
+        if (!known.contains(ending)) {
             throw new UsageException(option + " " + named + " would be " + what + ", which its name does not say; "
                     + (ending.isEmpty()
-                            ? "call it " + name + "." + endings.get(0)
-                            : "end it with ." + String.join(" or .", endings)));
+                            ? "call it " + name + "." + known.get(0)
+                            : "end it with ." + String.join(" or .", known)));
         }
     }
 }
