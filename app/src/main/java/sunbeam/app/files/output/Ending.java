@@ -7,7 +7,6 @@ import java.util.Locale;
 import sunbeam.app.terminal.UsageException;
 
 /** Kind of an output file, by the ending of its name. */
-@SuppressWarnings("ImmutableEnumChecker") // lists do not change
 public enum Ending {
     PNG("a PNG picture", "png"),
     LINEAR("linear colors", "npy exr"),
