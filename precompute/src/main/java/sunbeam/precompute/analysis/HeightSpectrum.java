@@ -63,8 +63,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
     }
 
     private static Band band(int samples, double pitch) {
-        int visible = (int) Math.ceil(samples * pitch / SHORTEST_PERIOD);
-        int reach = Math.min((samples - 1) / 2, visible);
+        int reach = Math.min((samples - 1) / 2, (int) Math.ceil(samples * pitch / SHORTEST_PERIOD));
         return Band.of(-reach, reach);
     }
 

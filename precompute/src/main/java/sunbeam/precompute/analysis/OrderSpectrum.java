@@ -72,8 +72,7 @@ public final class OrderSpectrum {
 
     /** Returns the bins visible at the shortest wavelength that are no aliases of others. */
     private static Band visibleBins(int samples, double length) {
-        int visible = (int) Math.ceil(LARGEST_W * length / CieTable.MINIMUM_WAVELENGTH);
-        int most = Math.min((samples - 1) / 2, visible);
+        int most = Math.min((samples - 1) / 2, (int) Math.ceil(LARGEST_W * length / CieTable.MINIMUM_WAVELENGTH));
         return Band.of(-most, most);
     }
 

@@ -58,8 +58,7 @@ record PeriodModel(
      */
     static Optional<GratingPeriod> of(HeightMap scan, Predicate<SpatialFrequency> which, String nothing) {
         Predicate<SpatialFrequency> visible = which.and(wave -> wave.length() * HeightSpectrum.SHORTEST_PERIOD <= 1);
-        WaveSearch search = new WaveSearch(scan, visible);
-        return new PeriodModel(scan, Leveling.PLANE.apply(scan), search, visible, nothing)
+        return new PeriodModel(scan, Leveling.PLANE.apply(scan), new WaveSearch(scan, visible), visible, nothing)
                 .strongest(wave -> wave.periodsIn(scan) >= FEWEST_SEEN);
     }
 

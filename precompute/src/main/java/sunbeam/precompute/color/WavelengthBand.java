@@ -81,8 +81,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         private static final double LEAST_STEP = 2;
 
         public SpectralBands {
-            double width = range.lastNanometers() - range.firstNanometers();
-            int most = 1 + (int) (width / LEAST_STEP);
+            int most = 1 + (int) ((range.lastNanometers() - range.firstNanometers()) / LEAST_STEP);
             if (count < 2 || count > most) {
                 throw new IllegalArgumentException(count + " is out of range; "
                         + (most < 2 ? range + " is too narrow for any" : "give 2 to " + most));

@@ -67,8 +67,9 @@ public final class AtlasPages {
         if (layer == layers.size()) {
             layers.add(newLayer());
         }
+        int rowBytes = CHANNELS * format.bytes() * PAGE_SIDE;
         for (int row = 0; row < PAGE_SIDE; row++) {
-            layers.get(layer).put(begin(pages, row), coefficients, row * rowBytes(), rowBytes());
+            layers.get(layer).put(begin(pages, row), coefficients, row * rowBytes, rowBytes);
         }
         pages++;
         TileGrid grid = grids.get(level);
@@ -78,10 +79,6 @@ public final class AtlasPages {
             pageTable[slice - 1][indexInTable(grid, tile) + 1] = pages;
         }
         return layer;
-    }
-
-    private int rowBytes() {
-        return CHANNELS * format.bytes() * PAGE_SIDE;
     }
 
     private int begin(int page, int row) {
@@ -99,8 +96,7 @@ public final class AtlasPages {
         TileGrid grid = grids.get(level);
         int page = (int) pageTable[level * finest().slices() + tile / grid.perSlice()][indexInTable(grid, tile)] - 1;
         int row = CHANNELS * PAGE_SIDE;
-        int number = begin(page, index / row) / format.bytes() + index % row;
-        return format.decoded(layers.get(page / PER_LAYER), number);
+        return format.decoded(layers.get(page / PER_LAYER), begin(page, index / row) / format.bytes() + index % row);
     }
 
     public TableLookUp lookUp() {

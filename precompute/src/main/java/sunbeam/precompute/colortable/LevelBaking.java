@@ -156,8 +156,7 @@ public final class LevelBaking {
             for (int column = 0; column < inputSide; column += length) {
                 int inTile = (left + column) % SIDE;
                 length = Math.min(SIDE - inTile, inputSide - column);
-                int tileInSlice = (top + row) / SIDE * grid.columns() + (left + column) / SIDE;
-                int tile = place[2] * grid.perSlice() + tileInSlice;
+                int tile = place[2] * grid.perSlice() + (top + row) / SIDE * grid.columns() + (left + column) / SIDE;
                 visitor.visit(tile, (top + row) % SIDE * SIDE + inTile, length, row * inputSide + column);
             }
         }

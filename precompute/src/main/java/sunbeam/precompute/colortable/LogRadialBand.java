@@ -40,8 +40,7 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
         double widerStep = Math.min(MOST_WIDER * widestStep, WIDEST_OF_ORDER * orderWidth);
         double widest = cie.isSmooth() ? Math.max(widestStep, widerStep) : WIDEST_ON_FLANKS * orderWidth;
         Positions positions = Positions.widest(cie, widest, Math.min(step / high, WIDEST_STEP));
-        int sectors = 2 * Math.max(1, rays / RAYS_PER_SECTOR_PAIR);
-        return new LogRadialBand(high / 2, rays, sectors, positions);
+        return new LogRadialBand(high / 2, rays, 2 * Math.max(1, rays / RAYS_PER_SECTOR_PAIR), positions);
     }
 
     /** Steps along a ray: {@code stride} wavelength steps each; a ray of the octave covers this range of ln |f|. */

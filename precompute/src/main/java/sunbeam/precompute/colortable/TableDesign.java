@@ -41,8 +41,7 @@ public record TableDesign(double step, int slices) {
 
     /** Returns the relief, in meters, of a mostly flat surface whose colors vary as fast along w. */
     public static double depth(HeightMap map) {
-        double deviation = Math.sqrt(StatUtils.populationVariance(map.heights()));
-        return Math.max(map.relief(), RELIEF_OF_DEVIATION * deviation);
+        return Math.max(map.relief(), RELIEF_OF_DEVIATION * Math.sqrt(StatUtils.populationVariance(map.heights())));
     }
 
     public TableDesign scaled(double factor) {

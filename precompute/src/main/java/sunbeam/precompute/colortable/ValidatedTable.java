@@ -154,8 +154,7 @@ public record ValidatedTable(AtlasPages pages, ErrorStatistics errors) {
                 receiver.accept("table: " + words + (keeps ? CLOSE : "") + "; smaller steps do not help");
                 return table;
             }
-            double factor = Math.pow(excess, -1 / ORDER);
-            next = next.scaled(Math.max(SMALLEST_FACTOR, Math.min(LARGEST_FACTOR, factor)));
+            next = next.scaled(Math.max(SMALLEST_FACTOR, Math.min(LARGEST_FACTOR, Math.pow(excess, -1 / ORDER))));
             if (!room.test(points.memory(next))) {
                 if (!keeps) {
                     refused.accept(next);

@@ -151,8 +151,7 @@ public record Ridge(GratingPlane plane, double[] wavelengths, double[] angles) {
                     double shift = Lagrange.top(values[column - 1], values[column], values[column + 1]);
                     double step = 0.5 * (grid.angles()[column + 1] - grid.angles()[column - 1]);
                     double angle = grid.angles()[column] + shift * step;
-                    double peakFrequency = grid.plane().u(angle) / wavelength;
-                    peaks.add(new Peak(wavelength, angle, peakFrequency, values[column], 0, null));
+                    peaks.add(new Peak(wavelength, angle, grid.plane().u(angle) / wavelength, values[column], 0, null));
                 }
             }
             return peaks;

@@ -132,14 +132,10 @@ public record PqMethod(
 
     /** Meters; resolves the fringes: the power of an area a x b, as a function of 1 / lambda, is band-limited to |u| a + |v| b cycles. */
     private static double wavelengthStep(HeightMap map, Replicas replicas, VisibleRange range) {
-        double cycles = largest(range.minimumU(), range.maximumU()) * replicas.alongX() * map.width()
-                + largest(range.minimumV(), range.maximumV()) * replicas.alongY() * map.height();
+        double cycles = VisibleRange.largest(range.minimumU(), range.maximumU()) * replicas.alongX() * map.width()
+                + VisibleRange.largest(range.minimumV(), range.maximumV()) * replicas.alongY() * map.height();
         double shortest = CieTable.MINIMUM_WAVELENGTH;
         return Math.min(COARSEST_STEP, Math.max(FINEST_STEP, shortest * shortest / Math.max(1e-9, cycles)));
-    }
-
-    private static double largest(double a, double b) {
-        return Math.max(Math.abs(a), Math.abs(b));
     }
 
     private record Period(

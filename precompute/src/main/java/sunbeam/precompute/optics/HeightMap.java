@@ -56,8 +56,7 @@ public record HeightMap(
     public HeightMap part(int firstColumn, int firstRow, int partColumns, int partRows) {
         double[] part = new double[partColumns * partRows];
         for (int row = 0; row < partRows; row++) {
-            int from = (firstRow + row) * columns + firstColumn;
-            System.arraycopy(heights, from, part, row * partColumns, partColumns);
+            System.arraycopy(heights, (firstRow + row) * columns + firstColumn, part, row * partColumns, partColumns);
         }
         return new HeightMap(partColumns, partRows, pitchX, pitchY, part);
     }

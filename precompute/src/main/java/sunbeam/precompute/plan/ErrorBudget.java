@@ -85,8 +85,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
             return ROUGH_SKIRT;
         }
         // A power's Gaussian is narrower by sqrt(2) and ends where the power is darkest.
-        double darkest = average == Average.ENSEMBLE ? DARKEST_POWER : DARKEST_AMPLITUDE;
-        return Math.sqrt(-2 * Math.log(darkest));
+        return Math.sqrt(-2 * Math.log(average == Average.ENSEMBLE ? DARKEST_POWER : DARKEST_AMPLITUDE));
     }
 
     /**

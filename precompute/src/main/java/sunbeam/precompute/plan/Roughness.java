@@ -78,8 +78,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     }
 
     private static boolean isTooDark(List<ReferenceEvaluator.Sample> samples) {
-        long dark = samples.stream().filter(sample -> !isBright(sample)).count();
-        return dark > (1 - FEWEST_BRIGHT) * DIRECTIONS;
+        return samples.stream().filter(sample -> !isBright(sample)).count() > (1 - FEWEST_BRIGHT) * DIRECTIONS;
     }
 
     private static boolean isBright(ReferenceEvaluator.Sample sample) {

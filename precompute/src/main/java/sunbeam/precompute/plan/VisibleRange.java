@@ -95,7 +95,8 @@ public record VisibleRange(
         return Math.max(largest(minimumU, maximumU), largest(minimumV, maximumV));
     }
 
-    private static double largest(double low, double high) {
+    /** Returns the larger magnitude of two ends of a range. */
+    public static double largest(double low, double high) {
         return Math.max(Math.abs(low), Math.abs(high));
     }
 }

@@ -200,8 +200,7 @@ public final class ScanFaults {
             }
             // A single row that equals the one before may be the crest of a symmetric surface.
             runs(repeated).stream().filter(run -> run[1] - run[0] > 1).forEach(run -> unmeasured.set(run[0], run[1]));
-            int measured = scan.rows() - unmeasured.cardinality();
-            if (runs(unmeasured).size() * ROWS_PER_RUN > measured) {
+            if (runs(unmeasured).size() * ROWS_PER_RUN > scan.rows() - unmeasured.cardinality()) {
                 unmeasured.clear();
             }
         }
@@ -254,8 +253,7 @@ public final class ScanFaults {
             int count = unmeasured.cardinality();
             String words = (count == 1 ? "row " : "rows ") + numbers(place.firstRow() + 1) + " of " + whole.rows()
                     + " (from the top) hold no measurement: missing, constant, or equal to the row above";
-            double share = (double) count / scan.rows();
-            return Optional.of(new ScanFault(words, part, Optional.empty(), share, ""));
+            return Optional.of(new ScanFault(words, part, Optional.empty(), (double) count / scan.rows(), ""));
         }
 
         /** Returns "3, 7 to 9 and 3 more". */

@@ -33,8 +33,8 @@ final class NanoscopeReader {
         Header common = new Header();
         List<Header> images = new ArrayList<>();
         Header list = common;
-        String head = file.headText(Header.LARGEST);
-        List<String> lines = head.lines()
+        List<String> lines = file.headText(Header.LARGEST)
+                .lines()
                 .takeWhile(line -> !line.matches("\\\\\\*.{0,9}File list end.*"))
                 .toList();
         for (String line : lines) {

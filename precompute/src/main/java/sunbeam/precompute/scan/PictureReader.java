@@ -56,8 +56,10 @@ final class PictureReader {
     private PictureReader() {}
 
     static Optional<String> kind(ScanBytes file) throws IOException {
-        String head = file.headText(8);
-        return KINDS.keySet().stream().filter(head::startsWith).map(KINDS::get).findFirst();
+        return KINDS.keySet().stream()
+                .filter(file.headText(8)::startsWith)
+                .map(KINDS::get)
+                .findFirst();
     }
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {

@@ -37,8 +37,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
     }
 
     public boolean startsWith(String... texts) throws IOException {
-        String head = headText(LONGEST_MARK);
-        return Stream.of(texts).anyMatch(head::startsWith);
+        return Stream.of(texts).anyMatch(headText(LONGEST_MARK)::startsWith);
     }
 
     /** Returns the Latin-1 text before a mark in the first {@link Header#LARGEST} bytes. */

@@ -193,8 +193,7 @@ public final class JsonObject {
     }
 
     public List<JsonNode> sequence(String key, JsonNode value, int count) {
-        boolean fits = value.isArray() && value.size() == count;
-        require(fits, key, "must be a list of " + count + " values, [ ... ]");
+        require(value.isArray() && value.size() == count, key, "must be a list of " + count + " values, [ ... ]");
         return value.valueStream().toList();
     }
 
