@@ -10,7 +10,6 @@ public record Tile(int x, int y, int width, int height) {
         return new Tile(0, 0, width, height);
     }
 
-    /** Returns square tiles as {@link #divide(int, int)} does. */
     public List<Tile> divide(int side) {
         return divide(side, side);
     }

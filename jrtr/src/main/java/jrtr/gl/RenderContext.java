@@ -54,8 +54,8 @@ public final class RenderContext implements AutoCloseable {
         if (!info().software()) {
             return new ShaderProgram(device, fullScreenVertices, fragment);
         }
-        int varyings = info().limits().varyings();
-        FlatUniforms flat = FlatUniforms.of(fullScreenVertices, fragment, varyings);
+        FlatUniforms flat =
+                FlatUniforms.of(fullScreenVertices, fragment, info().limits().varyings());
         return new ShaderProgram(device, flat.vertex(), flat.fragment());
     }
 

@@ -173,8 +173,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
 
         static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {
             Vector3fc center = bounds.center();
-            Vector3f back = center.negate(new Vector3f());
-            return new Matrix4f().translation(center).rotate(orientation).translate(back);
+            return new Matrix4f().translation(center).rotate(orientation).translate(center.negate(new Vector3f()));
         }
 
         static View view(Viewpoint view, BoundingSphere bounds) {
@@ -264,8 +263,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
                         Optional.of(context.createMeshProgram(Shaders.library().load("shadow.frag")));
             }
             Faces faces = closed ? Faces.FRONT : Faces.BOTH;
-            Matrix4f toWorld = SkinGeometry.toWorld(orientation, mesh.bounds());
-            new PlacedMesh(mesh, toWorld, program.get(), Map.of(), faces)
+            new PlacedMesh(mesh, SkinGeometry.toWorld(orientation, mesh.bounds()), program.get(), Map.of(), faces)
                     .draw(context, view, View.Area.whole(side, side), map, Tile.whole(side, side));
             shown.put(side, key);
         }

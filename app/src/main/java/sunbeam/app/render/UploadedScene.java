@@ -90,12 +90,14 @@ final class UploadedScene implements AutoCloseable {
     }
 
     /** Uploads what differs; a failure leaves the old scene. */
+    @SuppressWarnings("ReferenceEquality") // comparing triangles and texels would take as long as uploading them
     private void replace(Scene scene, SceneShape shape, Body wanted, Supplier<SkinSurface> surface) {
-        boolean keepsMesh = mesh != null && mesh.serves(scene, shape.mesh());
+        boolean keepsMesh =
+                mesh != null && mesh.mesh() == shape.mesh() && (mesh.ground().isPresent() || !scene.occludesSky());
         UploadedMesh nextMesh = keepsMesh ? mesh : UploadedMesh.upload(context, scene, shape);
         Runnable closeMesh = () -> closeUnlessSame(nextMesh, mesh, UploadedMesh::close);
         SkinTextures nextBody = Resource.orClose(
-                () -> body != null && body.isOf(wanted) ? body : new SkinTextures(context, wanted), closeMesh);
+                () -> body != null && body.body == wanted ? body : new SkinTextures(context, wanted), closeMesh);
         SkinSurface nextSkin =
                 Resource.orClose(surface, closeMesh, () -> closeUnlessSame(nextBody, body, SkinTextures::close));
         closeUnlessSame(mesh, nextMesh, UploadedMesh::close);
@@ -137,11 +139,6 @@ final class UploadedScene implements AutoCloseable {
             return new UploadedMesh(mesh, buffer, Optional.of(ground));
         }
 
-        @SuppressWarnings("ReferenceEquality") // comparing triangles would take as long as uploading them
-        boolean serves(Scene scene, Mesh wanted) {
-            return mesh == wanted && (ground.isPresent() || !scene.occludesSky());
-        }
-
         @Override
         public void close() {
             ground.ifPresent(Ground::close);
@@ -173,11 +170,6 @@ final class UploadedScene implements AutoCloseable {
             uploaded.put(
                     sampler,
                     context.createImageTexture(label, texture.width(), texture.height(), texture.rgba(), encoding));
-        }
-
-        @SuppressWarnings("ReferenceEquality") // comparing texels would take as long as uploading them
-        boolean isOf(Body other) {
-            return body == other;
         }
 
         /** Returns a mesh with these textures in world space, and sets the program's uniforms about them. */

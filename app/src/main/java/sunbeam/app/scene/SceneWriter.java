@@ -89,7 +89,7 @@ public final class SceneWriter {
         json.writeStartObject();
         Choices own = scene.settings();
         for (Setting<String> name : List.of(SceneSettings.MESH, SceneSettings.TEXTURE, SceneSettings.ORIENTATION_MAP)) {
-            own = withWrittenName(own, name);
+            own = own.with(name, toWrittenName.apply(own.get(name)));
         }
         SkinIndex index = scene.get(SceneSettings.INDEX);
         own = index.isByWavelength()
@@ -126,13 +126,9 @@ public final class SceneWriter {
             }
             json.writeEndArray();
         }
-        object("plan", plan.has(ILLUMINANT) ? withWrittenName(plan, ILLUMINANT) : plan);
+        object("plan", plan.has(ILLUMINANT) ? plan.with(ILLUMINANT, toWrittenName.apply(plan.get(ILLUMINANT))) : plan);
         object("weights", scene.weights());
         json.writeEndObject();
-    }
-
-    private Choices withWrittenName(Choices choices, Setting<String> setting) {
-        return choices.with(setting, toWrittenName.apply(choices.get(setting)));
     }
 
     private void light(SceneLight light) throws IOException {

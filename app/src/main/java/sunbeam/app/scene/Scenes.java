@@ -154,8 +154,7 @@ public final class Scenes {
                 .get(SceneSettings.PATCH_MAP);
         List<PatchAtlas.Region> regions = new ArrayList<>();
         for (String key : keys.others()) {
-            SceneColor color = keys.checked(key, () -> SceneColor.parse(key));
-            regions.add(new PatchAtlas.Region(color, patch(keys, key)));
+            regions.add(new PatchAtlas.Region(keys.checked(key, () -> SceneColor.parse(key)), patch(keys, key)));
         }
         return root.checked("patch", () -> new PatchAtlas(map, regions));
     }
@@ -227,8 +226,7 @@ public final class Scenes {
         if (!root.has("orientation")) {
             return new Quaternionf();
         }
-        JsonNode value = root.required("orientation", "[0, 0, 0, 1]");
-        List<JsonNode> values = root.sequence("orientation", value, 4);
+        List<JsonNode> values = root.sequence("orientation", root.required("orientation", "[0, 0, 0, 1]"), 4);
         float[] q = floats(values, number -> root.number("orientation", number, -1, 1));
         Quaternionf rotation = new Quaternionf(q[0], q[1], q[2], q[3]);
         if (Math.abs(rotation.lengthSquared() - 1) > 1e-3f) {

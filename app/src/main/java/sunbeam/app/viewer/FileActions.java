@@ -42,7 +42,6 @@ import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.model.Drags;
-import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchLoader.PatchRequest;
@@ -120,8 +119,8 @@ public final class FileActions {
     }
 
     private void frameMesh() {
-        LoadedScene loaded = model.loaded().orElseThrow();
-        BoundingSphere bounds = loaded.firstPart().mesh().toVertexData().bounds();
+        BoundingSphere bounds =
+                model.loaded().orElseThrow().firstPart().mesh().toVertexData().bounds();
         model.amend(scene -> Drags.framed(scene, bounds));
     }
 

@@ -247,8 +247,10 @@ public final class MapView extends JComponent {
                 }
                 paintDot(graphics, order == 0 ? Color.WHITE : COLORS.get(i), at.get());
                 if (WAVELENGTHS.get(i) == GREEN) {
-                    String name = order == 0 ? "0" : Text.format("%+d", order);
-                    labels.paint(name, at.get().getX(), at.get().getY());
+                    labels.paint(
+                            order == 0 ? "0" : Text.format("%+d", order),
+                            at.get().getX(),
+                            at.get().getY());
                 }
                 previous = at;
             }

@@ -91,8 +91,7 @@ public final class PictureView extends JComponent {
             BufferedImage padded = new BufferedImage(columns + 2, rows + 2, BufferedImage.TYPE_INT_RGB);
             int[] row = new int[columns + 2];
             for (int y = 0; y < rows + 2; y++) {
-                int from = Math.max(0, Math.min(rows - 1, y - 1));
-                image.getRaster().getDataElements(0, from, columns, 1, row);
+                image.getRaster().getDataElements(0, Math.max(0, Math.min(rows - 1, y - 1)), columns, 1, row);
                 System.arraycopy(row, 0, row, 1, columns);
                 row[columns + 1] = row[columns];
                 padded.getRaster().setDataElements(0, y, columns + 2, 1, row);
@@ -228,9 +227,8 @@ public final class PictureView extends JComponent {
         boolean isWide = metrics.stringWidth(HINT) + 2 * MARGIN <= getWidth();
         String[] lines = isWide ? new String[] {HINT} : HINT.split(HINT_SEPARATOR, -1);
         for (int i = 0; i < lines.length; i++) {
-            int x = (getWidth() - metrics.stringWidth(lines[i])) / 2;
             int y = getHeight() - 2 * MARGIN - (lines.length - 1 - i) * (metrics.getHeight() + 4);
-            Divider.label(graphics, lines[i], x, y);
+            Divider.label(graphics, lines[i], (getWidth() - metrics.stringWidth(lines[i])) / 2, y);
         }
     }
 }

@@ -2,7 +2,6 @@ package sunbeam.app.viewer;
 
 import java.awt.Point;
 import java.util.Optional;
-import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -33,9 +32,11 @@ public record SkinPoint(Scene scene, Pick pick) {
                 new Quaternionf().rotateAxis((float) rotation, normal).mul(turn);
         Vector3f tangent = whole.transform(pick.tangent(), new Vector3f());
         Vector3f bitangent = whole.transform(pick.bitangent(), new Vector3f());
-        Camera camera = other.view().camera();
-        Vector3f seen =
-                camera.centerOfProjection().sub(position, new Vector3f()).normalize();
+        Vector3f seen = other.view()
+                .camera()
+                .centerOfProjection()
+                .sub(position, new Vector3f())
+                .normalize();
         return new SkinPoint(
                 other,
                 new Pick(

@@ -144,8 +144,7 @@ public final class BuiltInMeshes {
                 // Both sides of the seam have bitwise equal points.
                 double angle = angle(column % COLUMNS);
                 Mesh.Builder.Point frame = SnakeBody.frame(place, angle);
-                double v = angle(column) / (2 * Math.PI);
-                vertices[column] = builder.vertex(frame, SnakeBody.u(place), v);
+                vertices[column] = builder.vertex(frame, SnakeBody.u(place), angle(column) / (2 * Math.PI));
             }
             return vertices;
         }

@@ -138,9 +138,7 @@ final class GltfFile {
         boolean mirrored = place.determinant3x3() < 0;
         for (int triangle = 0; triangle < triangles; triangle++) {
             int[] at = corners(mode, triangle);
-            int second = at[mirrored ? 2 : 1];
-            int third = at[mirrored ? 1 : 2];
-            mesh.addFace(offsets.polygon(indices[at[0]], indices[second], indices[third]));
+            mesh.addFace(offsets.polygon(indices[at[0]], indices[at[mirrored ? 2 : 1]], indices[at[mirrored ? 1 : 2]]));
         }
     }
 

@@ -106,8 +106,7 @@ public record RawMesh(
         Vector3d[] ends = bounds();
         Vector3d size = ends[1].sub(ends[0], new Vector3d());
         Vector3d center = ends[0].add(ends[1]).mul(0.5);
-        boolean isFar = center.length() > FAR * size.get(size.maxComponent());
-        return isFar ? Optional.of(center) : Optional.empty();
+        return center.length() > FAR * size.get(size.maxComponent()) ? Optional.of(center) : Optional.empty();
     }
 
     /** Drops triangles of no area, which have no normal. */

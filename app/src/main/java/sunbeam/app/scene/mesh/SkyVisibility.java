@@ -163,9 +163,8 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
                 double step = 2 * GROUND_REACH * radius / side;
                 double height = ground(mesh);
                 for (int i = 0; i < shares.ofGround.length; i++) {
-                    int row = i / side;
                     double x = middle.x + step * (i % side + 0.5 - side / 2.0);
-                    double y = middle.y + step * (row + 0.5 - side / 2.0);
+                    double y = middle.y + step * (i / side + 0.5 - side / 2.0);
                     if (sees(new Vector3d(x, y, height))) {
                         shares.ofGround[i] += (float) (direction.z / zSum);
                     }

@@ -77,8 +77,7 @@ public final class SnakeBody {
     private SnakeBody() {}
 
     static double halfWidth(double place) {
-        double relative = place < NECK ? Math.sqrt(SQUARED_HEAD.at(place)) : BODY.at(place);
-        return RADIUS * relative;
+        return RADIUS * (place < NECK ? Math.sqrt(SQUARED_HEAD.at(place)) : BODY.at(place));
     }
 
     static double halfHeight(double place) {

@@ -180,7 +180,7 @@ public interface BodyColors {
     }
 
     /** Eyes, mouth and shields of a snake's head: their colors over the skin's, and relief. */
-    final class SnakeHead {
+    record SnakeHead(Vector3dc iris) {
         /** Along the head: snout 0, neck 1. */
         public static final double EYE_ALONG = 0.27;
 
@@ -204,12 +204,6 @@ public interface BodyColors {
         // Line of the mouth and width of each lip; top 0, bottom 1.
         private static final double MOUTH = 0.62;
         private static final double LIP_WIDTH = 0.1;
-
-        private final Vector3dc iris;
-
-        SnakeHead(Vector3dc iris) {
-            this.iris = iris;
-        }
 
         /** Returns the color: {@code along} from snout 0 to neck 1, {@code side} from top 0 to bottom 1. */
         Vector3dc at(double along, double side, Vector3dc skin) {

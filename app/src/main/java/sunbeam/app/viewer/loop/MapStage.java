@@ -56,8 +56,7 @@ final class MapStage {
             BooleanSupplier interrupted,
             BiConsumer<BufferedImage, Boolean> drawn) {
         coarse = null;
-        int[] sizes = isFinal ? new int[] {PREVIEW_SIZE, SIZE} : new int[] {PREVIEW_SIZE};
-        for (int size : sizes) {
+        for (int size : isFinal ? new int[] {PREVIEW_SIZE, SIZE} : new int[] {PREVIEW_SIZE}) {
             try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size, 0)) {
                 List<Tile> blocks = Tile.whole(size, size).divide(TimedTiles.LARGEST);
                 if (!tiles.draw(blocks, interrupted, tile -> renderer.draw(light, tile))) {

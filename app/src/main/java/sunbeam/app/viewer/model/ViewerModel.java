@@ -109,8 +109,8 @@ public final class ViewerModel {
     }
 
     private void load(Scene scene, Runnable opened) {
-        Scene before = opening.map(Opening::before).orElse(wanted);
-        opening = Optional.of(new Opening(newestLoad.get() + 1, before, opened));
+        opening = Optional.of(
+                new Opening(newestLoad.get() + 1, opening.map(Opening::before).orElse(wanted), opened));
         set(scene, true);
     }
 
@@ -150,8 +150,9 @@ public final class ViewerModel {
         }
         if (loaded != null) {
             // Changes made to a scene that failed to open are discarded with it.
-            Scene base = opening.map(Opening::before).orElse(wanted);
-            wanted = base.withPartsOf(loaded.firstPart().scene());
+            wanted = opening.map(Opening::before)
+                    .orElse(wanted)
+                    .withPartsOf(loaded.firstPart().scene());
             loaded = loaded.with(wanted);
         }
         opening = Optional.empty();
