@@ -50,7 +50,8 @@ class ColorSheetTest {
                 .collect(Collectors.toCollection(ArrayList::new));
         ViewColor purest = seen(true, -30, 1);
         HeightMap flat = new HeightMap(2, 2, 1e-6, 1e-6, new double[4]);
-        Patch patch = new Patch("beetle", flat, "beetle", List.of());
+        Patch patch = new Patch(
+                "beetle", flat, flat, "beetle", List.of(), List.of(), List.of(), List.of(), Patch.Repetition.PERIODIC);
         return new ColorReport(
                 patch,
                 GratingPeriod.of(patch),

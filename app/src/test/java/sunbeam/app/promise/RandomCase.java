@@ -143,7 +143,16 @@ record RandomCase(
     }
 
     private Surface surface() {
-        return Surface.of(new Patch("case " + seed, map, "made up", List.of()));
+        return Surface.of(new Patch(
+                "case " + seed,
+                map,
+                map,
+                "made up",
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                Patch.Repetition.PERIODIC));
     }
 
     /** X, Y, Z, or the power of the average alone, of each query. */

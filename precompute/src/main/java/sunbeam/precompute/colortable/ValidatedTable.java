@@ -76,8 +76,7 @@ public record ValidatedTable(AtlasPages pages, ErrorStatistics errors) {
         List<DirectionPair> samples = points.samples();
         try (ColorBaker baker = bakers.apply(grid.design());
                 ColorBaker.Token token = tokens.apply(samples.size())) {
-            ValidatedTable table = of(pages, baker, token, samples);
-            return Optional.of(table).filter(validated -> validated.excess(levels.tolerance()) <= 1);
+            return Optional.of(of(pages, baker, token, samples)).filter(table -> table.excess(levels.tolerance()) <= 1);
         }
     }
 

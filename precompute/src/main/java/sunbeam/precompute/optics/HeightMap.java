@@ -114,8 +114,8 @@ public record HeightMap(
     private String sha256() {
         Sha256 sha = new Sha256();
         sha.add("sunbeam height map 1\n");
-        ByteBuffer size = ByteBuffer.allocate(2 * Integer.BYTES + 2 * Double.BYTES);
-        sha.add(size.putInt(columns)
+        sha.add(ByteBuffer.allocate(2 * Integer.BYTES + 2 * Double.BYTES)
+                .putInt(columns)
                 .putInt(rows)
                 .putDouble(pitchX)
                 .putDouble(pitchY)

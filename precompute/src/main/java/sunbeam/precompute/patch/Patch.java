@@ -36,10 +36,6 @@ public record Patch(
         NONE
     }
 
-    public Patch(String name, HeightMap heights, String source, List<String> warnings) {
-        this(name, heights, heights, source, List.of(), List.of(), warnings, List.of(), Repetition.PERIODIC);
-    }
-
     /** Returns the first warning and the number of others. */
     public Optional<String> warning() {
         String others = warnings.size() > 1 ? " (inspect has " + (warnings.size() - 1) + " more)" : "";

@@ -85,8 +85,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         if (choices.has(CROP) || (choices.has(EDGES) && kind != Kind.BUILT_IN) || kind == Kind.GIVEN_DIRECTLY) {
             return Patch.Repetition.NONE;
         }
-        boolean period = kind == Kind.BUILT_IN || looksSynthetic(measured);
-        return period ? Patch.Repetition.PERIODIC : Patch.Repetition.ASSUMED;
+        return kind == Kind.BUILT_IN || looksSynthetic(measured) ? Patch.Repetition.PERIODIC : Patch.Repetition.ASSUMED;
     }
 
     private Crop.Samples samples(HeightMap measured) {

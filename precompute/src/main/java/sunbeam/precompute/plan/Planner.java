@@ -281,8 +281,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         }
 
         private int fewestNodes() {
-            double relief = heights.maximum() - heights.minimum();
-            double fringes = relief * range.maximumW() * CieTable.BAND_WIDTH;
+            double fringes = (heights.maximum() - heights.minimum()) * range.maximumW() * CieTable.BAND_WIDTH;
             double resolving = NODES_AT_STANDARD * relativeFineness();
             return (int) Math.ceil(Math.max(FEWEST_NODES, Math.max(resolving, NODES_PER_FRINGE * fringes)));
         }

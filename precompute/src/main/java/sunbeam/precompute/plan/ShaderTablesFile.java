@@ -70,8 +70,8 @@ public final class ShaderTablesFile {
         try (CheckedOutputStream checked = new CheckedOutputStream(Files.newOutputStream(file), new CRC32C());
                 DataOutputStream stream = new DataOutputStream(checked)) {
             byte[] header = header(key, label, tables);
-            ByteBuffer start = ByteBuffer.allocate(PREFIX + header.length);
-            stream.write(start.putLong(MAGIC)
+            stream.write(ByteBuffer.allocate(PREFIX + header.length)
+                    .putLong(MAGIC)
                     .putInt(VERSION)
                     .putInt(header.length)
                     .put(header)

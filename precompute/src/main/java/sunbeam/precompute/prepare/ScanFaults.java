@@ -48,9 +48,9 @@ public final class ScanFaults {
     private record Offset(int row, double median, double mean, double spread) {}
 
     private ScanFaults(HeightMap scan, MeasuredRows measured) {
-        this.offsets = IntStream.range(0, scan.rows())
+        this.offsets = IntStream.range(0, scan.rows() - 1)
                 .parallel()
-                .filter(measured::isPair)
+                .filter(row -> measured.unmeasured.get(row, row + 2).isEmpty())
                 .mapToObj(row -> offset(scan, row))
                 .filter(offset -> Double.isFinite(offset.median))
                 .toList();
@@ -203,10 +203,6 @@ public final class ScanFaults {
             if (runs(unmeasured).size() * ROWS_PER_RUN > scan.rows() - unmeasured.cardinality()) {
                 unmeasured.clear();
             }
-        }
-
-        boolean isPair(int row) {
-            return row + 1 < scan.rows() && !unmeasured.get(row) && !unmeasured.get(row + 1);
         }
 
         private boolean isMissing(int row) {

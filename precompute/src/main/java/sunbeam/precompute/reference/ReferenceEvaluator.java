@@ -49,9 +49,8 @@ public record ReferenceEvaluator(
 
     /** Returns the power of one coherence area at a wavelength in meters; 1 for a flat mirror in specular direction. */
     public double coherent(DirectionPair pair, double wavelength) {
-        SurfaceSums.Sums sums =
-                surface.overRows(pair.w(), wavelength, AxisWeights.ofWindow(pair.v() / wavelength, axisY, windowY));
-        return sums.power(0, AxisWeights.ofWindow(pair.u() / wavelength, axisX, windowX));
+        return surface.overRows(pair.w(), wavelength, AxisWeights.ofWindow(pair.v() / wavelength, axisY, windowY))
+                .power(0, AxisWeights.ofWindow(pair.u() / wavelength, axisX, windowX));
     }
 
     /** Returns the light at a wavelength in meters without {@link #heights()}, faster for a few directions of a scan of many levels. */

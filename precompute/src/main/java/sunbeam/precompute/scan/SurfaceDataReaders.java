@@ -95,8 +95,8 @@ final class SurfaceDataReaders {
     }
 
     private static ScanChannel channel(Samples samples, double pitchX, double pitchY, double scale) {
-        Extent extent = Extent.ofPitches(pitchX, pitchY, "m", samples);
-        return new ScanChannel("Topography", samples.scale(scale, 0), extent, "m");
+        return new ScanChannel(
+                "Topography", samples.scale(scale, 0), Extent.ofPitches(pitchX, pitchY, "m", samples), "m");
     }
 
     private static void requireUncompressed(int compression) {
@@ -193,8 +193,7 @@ final class SurfaceDataReaders {
                 // One bit per sample, the lowest bit of a byte first; 0 marks a missing sample.
                 try (InputStream list = member(archive, valid.get(), 0)) {
                     byte[] bits = list.readNBytes((count + 7) / 8);
-                    int known = Math.min(count, Byte.SIZE * bits.length);
-                    IntStream.range(0, known)
+                    IntStream.range(0, Math.min(count, Byte.SIZE * bits.length))
                             .filter(i -> (bits[i / 8] >> i % 8 & 1) == 0)
                             .forEach(i -> samples[i] = Double.NaN);
                 }

@@ -29,7 +29,8 @@ class OrderLightTest {
     private static final double EXPANSION = 1e-6;
 
     private static OrderLight light(HeightMap map, Direction wi, double wavelength) {
-        Patch patch = new Patch("p", map, "p", List.of());
+        Patch patch =
+                new Patch("p", map, map, "p", List.of(), List.of(), List.of(), List.of(), Patch.Repetition.PERIODIC);
         OrderLattice lattice = OrderLattice.of(patch, GratingPeriod.of(patch));
         return OrderLight.of(new OrderSpectrum(map), lattice, RefractiveIndex.KERATIN, wi, wavelength, false);
     }

@@ -41,7 +41,8 @@ class VerdictTest {
     }
 
     private static Patch repeated(HeightMap map) {
-        return new Patch("made", map, "made up", List.of());
+        return new Patch(
+                "made", map, map, "made up", List.of(), List.of(), List.of(), List.of(), Patch.Repetition.PERIODIC);
     }
 
     private static double sine(double position, double period) {

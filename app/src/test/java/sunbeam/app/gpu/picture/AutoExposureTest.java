@@ -130,7 +130,9 @@ class AutoExposureTest extends InAContext {
     private static final Patch STEP = patch(1e-7);
 
     private static Patch patch(double step) {
-        return new Patch("step", new HeightMap(2, 1, 1e-7, 1e-7, new double[] {0, step}), "made up", List.of());
+        HeightMap map = new HeightMap(2, 1, 1e-7, 1e-7, new double[] {0, step});
+        return new Patch(
+                "step", map, map, "made up", List.of(), List.of(), List.of(), List.of(), Patch.Repetition.PERIODIC);
     }
 
     private static BufferedImage lit() {
