@@ -130,8 +130,7 @@ public final class ColorCommand extends FileCommand {
         List<ColorReport> reports;
         try (RenderContext context = RenderContext.offscreen()) {
             surfaces.forEach(surface -> surface.draw(context));
-            double factor = factor(exposed, surfaces);
-            DisplayTransform display = exposure.display(factor, choices);
+            DisplayTransform display = exposure.display(factor(exposed, surfaces), choices);
             settings = describe(patches.get(0), choices, material, display);
             settings.put("renderer", context.info().renderer());
             reports = surfaces.stream()
@@ -158,8 +157,7 @@ public final class ColorCommand extends FileCommand {
         settings.forEach((key, value) ->
                 text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
         write(files, tree, ColorReport.csv(reports), sheet.draw(), text);
-        boolean colored = reports.stream().allMatch(ColorReport::colored);
-        return (colored ? judged : ExitCode.TOLERANCE_MISSED).code();
+        return (reports.stream().allMatch(ColorReport::colored) ? judged : ExitCode.TOLERANCE_MISSED).code();
     }
 
     private FileGroup files(Path picture) {

@@ -228,8 +228,7 @@ final class ColorSheet {
             double[] shares = Arrays.stream(spectrum.radiances())
                     .map(value -> value / most)
                     .toArray();
-            String name = names.get(i) + " " + place(spectrum.view());
-            plot.line(name, ColorReport.Spectrum.nanometers(), shares, i);
+            plot.line(names.get(i) + " " + place(spectrum.view()), ColorReport.Spectrum.nanometers(), shares, i);
         }
         return plot.draw();
     }

@@ -206,11 +206,7 @@ final class MaterialMap {
         private static final int GAP = 8;
 
         BufferedImage plain() {
-            return sheet(maps.stream().map(this::disc).toList());
-        }
-
-        private BufferedImage disc(Result map) {
-            return map.picture().shown(display);
+            return sheet(maps.stream().map(map -> map.picture().shown(display)).toList());
         }
 
         /** Draws the maps with rings, marks and captions; the choices are those before a scan's size limits the coherence length. */
@@ -220,7 +216,9 @@ final class MaterialMap {
             String remarks = (light.chosen().isEmpty() ? "" : light.describe() + "; ")
                     + index.map(words -> "refractive index " + words + "; ").orElse("");
             return sheet(maps.stream()
-                    .map(map -> new MapAnnotation(disc(map), map.light(), caption(map, remarks, asked, exposed)).draw())
+                    .map(map -> new MapAnnotation(
+                                    map.picture().shown(display), map.light(), caption(map, remarks, asked, exposed))
+                            .draw())
                     .toList());
         }
 
@@ -257,7 +255,7 @@ final class MaterialMap {
 
         Optional<Patch> black() {
             return maps.stream()
-                    .filter(map -> FileCommand.isBlack(disc(map)))
+                    .filter(map -> FileCommand.isBlack(map.picture().shown(display)))
                     .map(Result::patch)
                     .findFirst();
         }

@@ -139,8 +139,7 @@ public final class ReflectanceCommand extends FileCommand {
         }
         MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
         methodOptions.print("", plan, err);
-        MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR;
-        ShaderTables tables = setup.tables(plan, use);
+        ShaderTables tables = setup.tables(plan, list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR);
         methodOptions.printTrial(tables.trial(), err);
         List<double[]> results = evaluator.evaluate(tables);
         Optional<Certificate> certificate = certify.count()

@@ -14,8 +14,6 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
     /** Variable that, set to 1, makes the program print stack traces as {@code --debug} does. */
     public static final String DEBUG_VARIABLE = "SUNBEAM_DEBUG";
 
-    private static final String VERSION = "version.properties";
-
     public Environment(Map<String, String> variables, Path home) {
         this(variables, home, ProgressDisplay.ofStandardError(variables));
     }
@@ -44,7 +42,7 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
     public static String version() {
         Properties properties = new Properties();
         try {
-            properties.load(new StringReader(resource(Environment.class, VERSION)));
+            properties.load(new StringReader(resource(Environment.class, "version.properties")));
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }

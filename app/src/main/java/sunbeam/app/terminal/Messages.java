@@ -75,13 +75,9 @@ public final class Messages {
         boolean whole = warnings.size() == 1 && warnings.get(0).length() <= LONGEST_WARNING;
         String heads = whole
                 ? warnings.get(0)
-                : warnings.stream().map(Messages::head).collect(Collectors.joining("; ")) + " (" + remedy
+                : warnings.stream().map(warning -> warning.split(": ", 2)[0]).collect(Collectors.joining("; ")) + " (" + remedy
                         + " tells more)";
         return Optional.of(warning(name + ": " + heads));
-    }
-
-    private static String head(String warning) {
-        return warning.split(": ", 2)[0];
     }
 
     /**

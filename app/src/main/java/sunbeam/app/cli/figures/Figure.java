@@ -118,8 +118,7 @@ record Figure(
     }
 
     String heading() {
-        boolean isFigure = Character.isDigit(number.charAt(0));
-        String named = isFigure ? "figure " + number : number.replace('-', ' ');
+        String named = Character.isDigit(number.charAt(0)) ? "figure " + number : number.replace('-', ' ');
         return Character.toUpperCase(named.charAt(0)) + named.substring(1) + ": " + title;
     }
 

@@ -78,7 +78,11 @@ public final class Sunbeam {
             plain.forEach(argument -> UsageException.throwIf(
                     argument.contains("\ufffd"),
                     "the argument '" + argument + "' is not text in UTF-8; give the file a name that is"));
-            return checkedExitCode(commandLine.execute(plain.toArray(String[]::new)), failures);
+            int code = commandLine.execute(plain.toArray(String[]::new));
+            if (code != ExitCode.INTERRUPTED.code() && out.checkError()) {
+                throw new OutputException(OutputException.toStandardOutput("not everything was written"));
+            }
+            return code;
         } catch (Throwable failure) {
             return failures.report(failure);
         } finally {
@@ -122,13 +126,6 @@ public final class Sunbeam {
         }
     }
 
-    private int checkedExitCode(int code, Failures failures) {
-        if (code != ExitCode.INTERRUPTED.code() && out.checkError()) {
-            return failures.report(new OutputException(OutputException.toStandardOutput("not everything was written")));
-        }
-        return code;
-    }
-
     /** Returns all commands, in the help's order. The help constructs all, so constructors must not load OpenGL or plots. */
     private Map<String, Supplier<Object>> commands() {
         Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
@@ -157,13 +154,13 @@ public final class Sunbeam {
     private CommandLine commandLine(Root command, boolean completeHelp, List<String> arguments) {
         CommandLine root = new CommandLine(command);
         Map<String, Supplier<Object>> commands = commands();
-        Optional<String> asked = arguments.stream()
+        arguments.stream()
                 .filter(argument -> !argument.startsWith("-"))
                 .findFirst()
-                .filter(name -> commands.containsKey(name) && !name.equals("help"));
-        asked.ifPresentOrElse(
-                name -> root.addSubcommand(name, commands.get(name).get()),
-                () -> commands.forEach((name, made) -> root.addSubcommand(name, made.get())));
+                .filter(name -> commands.containsKey(name) && !name.equals("help"))
+                .ifPresentOrElse(
+                        name -> root.addSubcommand(name, commands.get(name).get()),
+                        () -> commands.forEach((name, made) -> root.addSubcommand(name, made.get())));
         root.setOut(out);
         root.setErr(err);
         root.setCaseInsensitiveEnumValuesAllowed(true);

@@ -185,8 +185,7 @@ public final class FrameSequence implements AutoCloseable {
             }
         });
         if (linear != null) {
-            float[] xyz = picture.linear().xyz();
-            AtomicFile.write(linear, overwrite, LinearFile.of(linear, xyz, width, height));
+            AtomicFile.write(linear, overwrite, LinearFile.of(linear, picture.linear().xyz(), width, height));
         }
         if (!missing) {
             return file;

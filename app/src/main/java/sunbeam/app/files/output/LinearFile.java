@@ -14,8 +14,7 @@ public final class LinearFile {
 
     /** Returns {@code height x width x 3} CIE XYZ, NaN without surface, for {@code .npy}; linear Rec. 709 with alpha for {@code .exr}. */
     public static AtomicFile.StreamContent of(Path file, float[] xyz, int width, int height) {
-        boolean isExr = file.toString().toLowerCase(Locale.ROOT).endsWith(".exr");
-        return isExr
+        return file.toString().toLowerCase(Locale.ROOT).endsWith(".exr")
                 ? stream -> ExrFile.ofFloats(width, height, rgba(xyz), COMMENTS).write(stream)
                 : stream -> NpyWriter.write(stream, xyz, height, width, 3);
     }

@@ -87,8 +87,7 @@ public final class HeatMap {
     /** Adds a curve between two dotted ones, with one entry in the legend, where all three are finite. */
     public HeatMap interval(String name, double[] x, double[] y, double[] oneSide, double[] otherSide, int rgb) {
         for (double[] side : List.of(oneSide, otherSide)) {
-            String sideName = name + curves.getSeriesCount();
-            add(sideName, x, atCommonPoints(side, y, oneSide, otherSide), rgb, DOTTED, false);
+            add(name + curves.getSeriesCount(), x, atCommonPoints(side, y, oneSide, otherSide), rgb, DOTTED, false);
         }
         add(name, x, atCommonPoints(y, oneSide, otherSide), rgb, SOLID, true);
         return this;

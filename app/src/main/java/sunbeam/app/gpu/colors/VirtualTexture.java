@@ -51,10 +51,6 @@ public final class VirtualTexture implements AutoCloseable {
                 && residency.missing(prefetchSet.prefetched()).isEmpty();
     }
 
-    private boolean isWholeInCache() {
-        return prefetchSet.isWhole() && baker.missing(prefetchSet.prefetched()) == 0;
-    }
-
     public ColorTable table() {
         return baker.table();
     }
@@ -115,7 +111,8 @@ public final class VirtualTexture implements AutoCloseable {
     public void bakeOn(Executor executor, Runnable onBakedTiles) {
         if (scheduler.isEmpty()) {
             scheduler = Optional.of(new Scheduler(baker, executor, onBakedTiles));
-            isCached = CompletableFuture.supplyAsync(this::isWholeInCache, executor)
+            isCached = CompletableFuture.supplyAsync(
+                            () -> prefetchSet.isWhole() && baker.missing(prefetchSet.prefetched()) == 0, executor)
                     .exceptionally(failure -> false);
         }
         if (coarsestShare() < 1) {
