@@ -197,7 +197,9 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
             return List.of(text);
         }
         try {
-            return Arrays.stream(Range.parse(text).values()).mapToObj(Decimals::format).toList();
+            return Arrays.stream(Range.parse(text).values())
+                    .mapToObj(Decimals::format)
+                    .toList();
         } catch (TypeConversionException wrong) {
             throw new UsageException(THETA_I + ": " + wrong.getMessage());
         }

@@ -203,9 +203,8 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
         String sentence = report.path("verdict").asText().split(": ", 2)[0];
         try {
             BufferedImage whole = ImageIO.read(picture.toFile());
-            if (whole == null) {
-                throw new InputException(picture + " is no picture any more; remove it and run again with --resume");
-            }
+            InputException.refuseIf(
+                    whole == null, picture + " is no picture any more; remove it and run again with --resume");
             JsonNode area = report.path("thumbnail_px");
             Rectangle all = new Rectangle(whole.getWidth(), whole.getHeight());
             Rectangle part = all.intersection(new Rectangle(

@@ -106,10 +106,9 @@ public final class ColorCommand extends FileCommand {
         resume.requireMany();
         Ending.PNG.require("--output", output);
         double theta = light.degrees(LightOptions.THETA_I);
-        if (angles.count() < 2 || Math.max(-angles.minimum(), angles.maximum()) + angles.step() / 2 >= HORIZON) {
-            throw new UsageException(
-                    "--angles: give two angles or more that lie, with half a step, within -90 to 90 degrees");
-        }
+        UsageException.throwIf(
+                angles.count() < 2 || Math.max(-angles.minimum(), angles.maximum()) + angles.step() / 2 >= HORIZON,
+                "--angles: give two angles or more that lie, with half a step, within -90 to 90 degrees");
         RefractiveIndex material = index.parse();
         ToDoubleFunction<List<LinearPicture>> exposed = exposure.parse();
         Methods.of(choices);

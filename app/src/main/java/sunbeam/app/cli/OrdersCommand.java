@@ -130,11 +130,10 @@ public final class OrdersCommand extends FileCommand {
         long orders = OrderSpectrum.orders(patch.heights());
         double relief = patch.heights().relief();
         // The terms of the expansion grow with the relief.
-        if (relief > DEEPEST || orders * Math.max(1, 0.5e6 * relief + 0.5) > MOST_ORDERS) {
-            throw new InputException(patch.name() + ": " + patch.heights().describe() + " with a relief of "
-                    + Lengths.rounded(relief, 3)
-                    + " have too many orders; --crop a smaller part, whose relief is at most 20 um");
-        }
+        InputException.refuseIf(
+                relief > DEEPEST || orders * Math.max(1, 0.5e6 * relief + 0.5) > MOST_ORDERS,
+                patch.name() + ": " + patch.heights().describe() + " with a relief of " + Lengths.rounded(relief, 3)
+                        + " have too many orders; --crop a smaller part, whose relief is at most 20 um");
         OrderLattice lattice = OrderLattice.of(patch, period);
         long lights = (long) thetas.count() * wavelengths.count();
         double visible = lattice.most(CieTable.MINIMUM_WAVELENGTH);

@@ -252,10 +252,10 @@ public final class PatchOptions extends SettingOptions {
         /** @throws InputException if a name is neither a built-in patch nor an existing file, or if a folder cannot be read or has no file */
         static List<String> of(List<String> names) {
             for (String name : names) {
-                if (!BuiltInPatches.names().contains(name) && !new File(name).exists()) {
-                    throw new InputException("'" + name
-                            + "' is neither a built-in patch nor an existing file; a name with blanks needs quotes");
-                }
+                InputException.refuseIf(
+                        !BuiltInPatches.names().contains(name) && !new File(name).exists(),
+                        "'" + name
+                                + "' is neither a built-in patch nor an existing file; a name with blanks needs quotes");
             }
             return names.stream()
                     .flatMap(name -> isFolder(name) ? files(Path.of(name)).stream() : Stream.of(name))
@@ -272,11 +272,10 @@ public final class PatchOptions extends SettingOptions {
                         .toList();
                 Set<Path> described = new HashSet<>();
                 files.forEach(file -> heights(file).ifPresent(described::add));
-                if (files.isEmpty()) {
-                    throw new InputException(
-                            "the folder " + folder
-                                    + " has no scan; folders below it and hidden files do not count, name the folder of the scans");
-                }
+                InputException.refuseIf(
+                        files.isEmpty(),
+                        "the folder " + folder
+                                + " has no scan; folders below it and hidden files do not count, name the folder of the scans");
                 return files.stream()
                         .filter(file -> !described.contains(file.normalize()))
                         .map(Path::toString)

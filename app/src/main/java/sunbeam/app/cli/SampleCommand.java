@@ -165,13 +165,11 @@ public final class SampleCommand extends FileCommand {
 
     private int rows(TaskPart part) {
         long rows = part.end(count) - part.first(count);
-        if (rows < 1) {
-            throw new UsageException("--task " + task + " has no row of --count " + count + "; give fewer parts");
-        }
-        if (rows > MOST_OF_FILE) {
-            throw new UsageException("--count " + count + " makes " + rows + " rows a file, and " + MOST_OF_FILE
-                    + " are the most; give parts by --task");
-        }
+        UsageException.throwIf(rows < 1, "--task " + task + " has no row of --count " + count + "; give fewer parts");
+        UsageException.throwIf(
+                rows > MOST_OF_FILE,
+                "--count " + count + " makes " + rows + " rows a file, and " + MOST_OF_FILE
+                        + " are the most; give parts by --task");
         return (int) rows;
     }
 
@@ -179,11 +177,11 @@ public final class SampleCommand extends FileCommand {
         long bytes = SampleRows.RowFile.bytes(rows);
         long batch = SampleRows.RowFile.bytes(Math.min(rows, SampleRows.RowFile.BATCH));
         long heap = Runtime.getRuntime().maxMemory() / HEAP_DIVISOR;
-        if (batch + (hdf5 ? HDF5_COPIES * bytes : 0) > heap) {
-            throw new UsageException("--count " + count + ": rows of " + ByteSize.format(bytes) + " as HDF5 take "
-                    + ByteSize.format(HDF5_COPIES * bytes) + " of memory, and " + ByteSize.format(heap)
-                    + " are there for them; give parts by --task, or an .npz");
-        }
+        UsageException.throwIf(
+                batch + (hdf5 ? HDF5_COPIES * bytes : 0) > heap,
+                "--count " + count + ": rows of " + ByteSize.format(bytes) + " as HDF5 take "
+                        + ByteSize.format(HDF5_COPIES * bytes) + " of memory, and " + ByteSize.format(heap)
+                        + " are there for them; give parts by --task, or an .npz");
         AtomicFile.requireRoom(output, bytes, "it takes", "give fewer rows");
     }
 

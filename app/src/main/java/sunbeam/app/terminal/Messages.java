@@ -75,8 +75,8 @@ public final class Messages {
         boolean whole = warnings.size() == 1 && warnings.get(0).length() <= LONGEST_WARNING;
         String heads = whole
                 ? warnings.get(0)
-                : warnings.stream().map(warning -> warning.split(": ", 2)[0]).collect(Collectors.joining("; ")) + " (" + remedy
-                        + " tells more)";
+                : warnings.stream().map(warning -> warning.split(": ", 2)[0]).collect(Collectors.joining("; ")) + " ("
+                        + remedy + " tells more)";
         return Optional.of(warning(name + ": " + heads));
     }
 

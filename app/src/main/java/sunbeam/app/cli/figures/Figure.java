@@ -106,12 +106,9 @@ record Figure(
     static List<Figure> select(List<String> numbers) {
         List<Figure> all = all();
         List<String> known = all.stream().map(Figure::number).toList();
-        for (String number : numbers) {
-            if (!known.contains(number)) {
-                throw new UsageException(
-                        "--only " + number + ": no such figure; choose from " + String.join(", ", known));
-            }
-        }
+        numbers.forEach(number -> UsageException.throwIf(
+                !known.contains(number),
+                "--only " + number + ": no such figure; choose from " + String.join(", ", known)));
         return all.stream()
                 .filter(figure -> numbers.isEmpty() || numbers.contains(figure.number()))
                 .toList();

@@ -52,7 +52,10 @@ enum FigurePlot {
             case RESPONSES -> responses(results);
             case ERRORS -> errors(results);
         };
-        plot.write(drawing.file(), Overwrite.REPLACE, Map.of("Title", drawing.picture().label()));
+        plot.write(
+                drawing.file(),
+                Overwrite.REPLACE,
+                Map.of("Title", drawing.picture().label()));
         if (!numbers.isEmpty()) {
             AtomicFile.write(
                     drawing.beside(".json"), Overwrite.REPLACE, AtomicFile.StreamContent.of(JsonOption.text(numbers)));

@@ -185,7 +185,8 @@ public final class FrameSequence implements AutoCloseable {
             }
         });
         if (linear != null) {
-            AtomicFile.write(linear, overwrite, LinearFile.of(linear, picture.linear().xyz(), width, height));
+            AtomicFile.write(
+                    linear, overwrite, LinearFile.of(linear, picture.linear().xyz(), width, height));
         }
         if (!missing) {
             return file;

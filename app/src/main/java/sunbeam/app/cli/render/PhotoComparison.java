@@ -55,20 +55,18 @@ record PhotoComparison(
                 .toArray();
         int[] fitted =
                 Arrays.stream(covered).filter(pixel -> !photo.clipped()[pixel]).toArray();
-        if (fitted.length == 0) {
-            throw new InputException(
-                    covered.length == 0
-                            ? "the scene's mesh covers no opaque pixel of the photograph; change the scene's camera, or the mask"
-                            : "the photograph is clipped wherever the mesh is; take one of shorter exposure");
-        }
+        InputException.refuseIf(
+                fitted.length == 0,
+                covered.length == 0
+                        ? "the scene's mesh covers no opaque pixel of the photograph; change the scene's camera, or the mask"
+                        : "the photograph is clipped wherever the mesh is; take one of shorter exposure");
         double[] photoY = luminances(seen, fitted);
         double[] sceneY = luminances(drawn, fitted);
         double exposure = given.orElseGet(() -> exposure(sceneY, photoY));
         boolean isBlack = Arrays.stream(photoY).noneMatch(y -> y > DARKEST);
-        if (isBlack || !(exposure > 0) || !Double.isFinite(exposure)) {
-            throw new InputException(
-                    "photograph or scene is black where the mesh is; change the scene's light or weights");
-        }
+        InputException.refuseIf(
+                isBlack || !(exposure > 0) || !Double.isFinite(exposure),
+                "photograph or scene is black where the mesh is; change the scene's light or weights");
         List<CieLab> photoColors = colors(seen, covered, 1);
         List<CieLab> sceneColors = colors(drawn, covered, exposure);
         double[] differences = new double[photo.clipped().length];

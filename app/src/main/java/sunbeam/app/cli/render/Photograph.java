@@ -150,21 +150,20 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
             int bits = raster.getSampleModel().getSampleSize(0);
             boolean isWhole =
                     type == DataBuffer.TYPE_BYTE || type == DataBuffer.TYPE_USHORT || type == DataBuffer.TYPE_INT;
-            if (!isWhole || bits > Short.SIZE) {
-                throw new InputException("photograph " + file
-                        + " has samples that are not of 8 or 16 bits; export it as PNG or TIFF of 16 bits");
-            }
+            InputException.refuseIf(
+                    !isWhole || bits > Short.SIZE,
+                    "photograph " + file
+                            + " has samples that are not of 8 or 16 bits; export it as PNG or TIFF of 16 bits");
             // Java takes gray samples for linear light, but in files they follow the curve of sRGB.
             boolean isStandard = space.isCS_sRGB() || space == ColorSpace.getInstance(ColorSpace.CS_GRAY);
-            if (space.getNumComponents() != channels || !(isStandard || space instanceof ICC_ColorSpace)) {
-                throw new InputException(
-                        "photograph " + file + " has " + channels + " channels of color and a profile for "
-                                + space.getNumComponents() + ", or none; convert it to sRGB");
-            }
-            if (isStandard && hasProfile) {
-                throw new InputException("photograph " + file
-                        + " has a color profile that is damaged or does not fit its samples; convert it to sRGB");
-            }
+            InputException.refuseIf(
+                    space.getNumComponents() != channels || !(isStandard || space instanceof ICC_ColorSpace),
+                    "photograph " + file + " has " + channels + " channels of color and a profile for "
+                            + space.getNumComponents() + ", or none; convert it to sRGB");
+            InputException.refuseIf(
+                    isStandard && hasProfile,
+                    "photograph " + file
+                            + " has a color profile that is damaged or does not fit its samples; convert it to sRGB");
             int white = (1 << bits) - 1;
             float[] curve = new float[white + 1];
             for (int sample = 0; sample <= white; sample++) {

@@ -10,18 +10,15 @@ import sunbeam.app.terminal.UsageException;
 /** Files of one name and several endings: all appear or none, with the lowest number that is free for every ending. */
 public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     public FileGroup {
-        if (OutputFolder.isStandardOutput(stem)) {
-            throw new UsageException(
-                    "cannot write several files to standard output: name a file, or ./- for names that begin with -");
-        }
+        UsageException.throwIf(
+                OutputFolder.isStandardOutput(stem),
+                "cannot write several files to standard output: name a file, or ./- for names that begin with -");
     }
 
     /** Creates the group of a name, which may have one of the endings. A path that names no file is a {@link UsageException}. */
     public static FileGroup named(Path path, List<String> endings, Overwrite overwrite) {
         String name = path.getFileName() == null ? "" : path.getFileName().toString();
-        if (name.isEmpty()) {
-            throw new UsageException("--output '" + path + "' names no file; give a name without ending");
-        }
+        UsageException.throwIf(name.isEmpty(), "--output '" + path + "' names no file; give a name without ending");
         String stem = endings.stream()
                 .filter(ending -> name.endsWith(ending) && name.length() > ending.length())
                 .findFirst()

@@ -111,10 +111,9 @@ public final class OutputFolder {
     }
 
     private static void requireFolder(Path folder) {
-        if (isStandardOutput(folder)) {
-            throw new UsageException(
-                    "cannot write several files to standard output: name a folder, or ./- for one of the name -");
-        }
+        UsageException.throwIf(
+                isStandardOutput(folder),
+                "cannot write several files to standard output: name a folder, or ./- for one of the name -");
     }
 
     /** Throws {@link OutputException} if the folder cannot be created; does not create it where its parent exists. */
