@@ -30,11 +30,6 @@ public record Tile(int x, int y, int width, int height) {
         return List.copyOf(tiles);
     }
 
-    /** Returns, in image coordinates, a tile that is given relative to this tile's top left corner. */
-    public Tile part(Tile inside) {
-        return new Tile(x + inside.x, y + inside.y, inside.width, inside.height);
-    }
-
     public long pixels() {
         return (long) width * height;
     }

@@ -140,7 +140,6 @@ final class PackedShading implements AutoCloseable {
         addFeedback(part, part.covered());
     }
 
-    /** Adds footprints to the feedback, in all levels that they read. */
     private void addFeedback(Part part, int[] covered) {
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = upload(part, covered, first);

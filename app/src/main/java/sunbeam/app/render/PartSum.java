@@ -74,14 +74,11 @@ public record PartSum(List<SceneSession> sessions) {
             return scene.get(SceneSettings.EXPOSURE);
         }
         Tile meter = meter(width, height);
-        int columns = meter.width();
-        int rows = meter.height();
         int samples = scene.method().type().equals(TableMethod.TYPE) ? TABLE_SAMPLES : 1;
-        ScenePicture small = ScenePicture.empty(columns, rows);
-        boolean isWhole = tiles.draw(Tile.whole(columns, rows).divide(TimedTiles.LARGEST), interrupted, tile -> {
-            ScenePicture part = draw(
-                    DrawRequest.ofPixels(scene, columns, rows, tile, samples).coarsest());
-            small.put(part.reduced(samples), tile.x(), tile.y());
+        ScenePicture small = ScenePicture.empty(meter.width(), meter.height());
+        boolean isWhole = tiles.draw(meter.divide(TimedTiles.LARGEST), interrupted, tile -> {
+            DrawRequest request = DrawRequest.ofPixels(scene, meter.width(), meter.height(), tile, samples);
+            small.put(draw(request.coarsest()).reduced(samples), tile.x(), tile.y());
         });
         return isWhole ? OptionalDouble.of(LinearPicture.exposure(small.linear())) : OptionalDouble.empty();
     }

@@ -205,7 +205,6 @@ public record Scene(
                 && get(SceneSettings.ORIENTATION_MAP).equals(other.get(SceneSettings.ORIENTATION_MAP));
     }
 
-    /** Returns this scene with the shared parts of another. */
     public Scene withPartsOf(Scene other) {
         Choices parts = other.settings.only(SceneSettings.PARTS);
         Choices shared = sharesReflectance(other) ? parts.without(SceneSettings.INDEX) : parts;

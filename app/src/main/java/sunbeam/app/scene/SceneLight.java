@@ -29,10 +29,6 @@ public record SceneLight(Vector3fc towards, double intensity, double angularDiam
         towards = Math.abs(length - 1) < 1e-6f ? new Vector3f(towards) : towards.div(length, new Vector3f());
     }
 
-    public SceneLight(Vector3fc towards, double intensity) {
-        this(towards, intensity, 0);
-    }
-
     public SceneLight pointing(Vector3fc direction) {
         return new SceneLight(direction, intensity, angularDiameter);
     }

@@ -49,7 +49,7 @@ class SceneTableTest extends InAScene {
         Camera camera = new Camera(eye, new Vector3f(), new Vector3f(0, 0.8f, 0.6f));
         return blaze().with(weights)
                 .withView(new Viewpoint(camera, Math.toRadians(fieldOfView)))
-                .withLight(new SceneLight(light, 1))
+                .withLight(new SceneLight(light, 1, 0))
                 .withMethod(new SceneMethod(method));
     }
 

@@ -63,7 +63,7 @@ public abstract class InAScene extends InAContext {
                         new Camera(new Vector3f(-0.05f, -0.1f, 0.4f), new Vector3f(), new Vector3f(0, 1, 0)),
                         Math.toRadians(40)),
                 new Quaternionf(),
-                new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1),
+                new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1, 0),
                 List.of(),
                 new SceneMethod(Choices.none().with(Methods.METHOD, FullMethod.TYPE)));
     }

@@ -126,7 +126,7 @@ class SceneMethodsTest extends InAScene {
     }
 
     private static final int SIZE = 64;
-    private static final SceneLight KEY = new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1);
+    private static final SceneLight KEY = new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1, 0);
     private static final SceneLight FILL = new SceneLight(new Vector3f(0.5f, 0.1f, 0.6f), 0.4, Math.toRadians(12));
     private static final Choices AROUND = around(Optional.of(new SceneColor(0x907050)), 0.3, true);
 
@@ -157,7 +157,7 @@ class SceneMethodsTest extends InAScene {
     void movingPicturesShowFillLights() {
         Scene half = scene(TableMethod.TYPE)
                 .with(Choices.none().with(SceneSettings.SHADOWS, false))
-                .withLight(new SceneLight(KEY.towards(), 0.5));
+                .withLight(new SceneLight(KEY.towards(), 0.5, 0));
         int[] twice = moving(half.withFillLights(List.of(half.light())));
         int[] once = moving(half.withLight(KEY));
         assertThat(twice).isNotEqualTo(moving(half));
@@ -186,7 +186,7 @@ class SceneMethodsTest extends InAScene {
         Viewpoint above = new Viewpoint(new Camera(new Vector3f(0, 0, 2), new Vector3f(), new Vector3f(0, 1, 0)), 0.4);
         Scene scene = blaze().withMesh(MeshSource.of("sphere"))
                 .withView(above)
-                .withLight(new SceneLight(new Vector3f(-1, 0, 1), 1))
+                .withLight(new SceneLight(new Vector3f(-1, 0, 1), 1, 0))
                 .with(Weights.of(0, 1, 1, 0.2));
         return drawn(change.apply(scene.with(around)), SIZE, SIZE);
     }

@@ -124,8 +124,8 @@ class SceneSessionTest extends InAScene {
     @Test
     void lightBelowTheSurfaceLeavesTheAmbientPart() {
         Scene scene = blaze();
-        ScenePicture picture = draw(
-                scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2)).with(Weights.of(50, 1, 1, 0.25)));
+        ScenePicture picture = draw(scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2, 0))
+                .with(Weights.of(50, 1, 1, 0.25)));
         // Intensity 2, ambient 0.25, white. Seven digits of the matrix.
         assertThat(pixel(picture, 36, 28)[1]).isCloseTo(0.5f, within(1e-5f));
         for (float value : picture.rgba()) {
@@ -135,7 +135,7 @@ class SceneSessionTest extends InAScene {
 
     @Test
     void grazingLightAndViewStayFinite() {
-        Scene scene = blaze().withLight(new SceneLight(new Vector3f(0, 1, 1e-6f), 1))
+        Scene scene = blaze().withLight(new SceneLight(new Vector3f(0, 1, 1e-6f), 1, 0))
                 .withView(new Viewpoint(
                         new Camera(new Vector3f(0, -0.4f, 0.004f), new Vector3f(), new Vector3f(0, 0, 1)), 0.6));
         for (float value : draw(scene).rgba()) {

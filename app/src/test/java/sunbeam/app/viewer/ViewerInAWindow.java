@@ -113,7 +113,7 @@ public abstract class ViewerInAWindow {
                         .with(MethodSettings.COHERENCE_LENGTH, 15e-6))
                 .with(SceneSettings.TEXTURE, "none")
                 .with(Weights.of(2000, 0.5, 0.2, 0.1))
-                .withLight(new SceneLight(new Vector3f(0.3f, -0.6f, -0.42f), 1));
+                .withLight(new SceneLight(new Vector3f(0.3f, -0.6f, -0.42f), 1, 0));
     }
 
     @AfterEach

@@ -68,7 +68,7 @@ final class ViewerWindowTest extends ViewerInAWindow {
         assertThat(different(near, picture(), true)).isPositive();
     }
 
-    private static final SceneLight OTHER = new SceneLight(new Vector3f(-0.3f, -0.6f, -0.42f), 1);
+    private static final SceneLight OTHER = new SceneLight(new Vector3f(-0.3f, -0.6f, -0.42f), 1, 0);
 
     @Test
     void aWindowOfNoSizeGoesOnAndComesBack() throws Exception {

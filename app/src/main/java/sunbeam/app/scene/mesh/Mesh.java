@@ -123,7 +123,6 @@ public record Mesh(
         }
     }
 
-    /** Growing array. */
     static final class FloatList {
         private float[] values = new float[64];
         private int size;

@@ -84,12 +84,8 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public boolean request(BooleanSupplier interrupted) {
-        for (SceneSession part : current.parts) {
-            if (!part.request(state.width(), state.height(), samples(), interrupted)) {
-                return false;
-            }
-        }
-        return true;
+        return current.parts.stream()
+                .allMatch(part -> part.request(state.width(), state.height(), samples(), interrupted));
     }
 
     @Override

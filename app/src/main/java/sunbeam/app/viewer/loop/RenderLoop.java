@@ -51,7 +51,6 @@ public final class RenderLoop implements AutoCloseable {
         void tile(ViewState state, BufferedImage image, int x, int y, double shareDone);
     }
 
-    /** Phase of the picture on screen. */
     enum Phase {
         EMPTY,
         /** Drawing previews while something moves, or until the coarsest tiles are resident. */
@@ -191,7 +190,6 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Shows a new state at once. */
     private void begin(Stage stage, ViewState next) {
         Finished last = finished.get(next.isOther());
         // update() throws before anything changes, so a failure leaves the old picture on screen.

@@ -43,7 +43,7 @@ final class RenderLoopTest {
         SceneData one = loader.parts(ViewerInAWindow.scene()).get(0);
         // Equal scenes are different objects, as when the light moves.
         scenes = IntStream.range(0, 3)
-                .mapToObj(i -> one.scene().withLight(new SceneLight(new Vector3f(i, 0, 1).normalize(), 1)))
+                .mapToObj(i -> one.scene().withLight(new SceneLight(new Vector3f(i, 0, 1).normalize(), 1, 0)))
                 .map(scene -> new LoadedScene(List.of(one.with(scene))))
                 .toList();
     }

@@ -95,7 +95,7 @@ final class HistoryTest {
     private static final float ROUNDING = 1e-5f;
     private static final Camera FRONT = new Camera(new Vector3f(0, 0, 5), new Vector3f(), new Vector3f(0, 1, 0));
     private static final Camera ABOVE = new Camera(new Vector3f(0, -5, 5), new Vector3f(), new Vector3f(0, 0, 1));
-    private static final Scene SCENE = seenFrom(FRONT).withLight(new SceneLight(new Vector3f(0, 0, 1), 1));
+    private static final Scene SCENE = seenFrom(FRONT).withLight(new SceneLight(new Vector3f(0, 0, 1), 1, 0));
 
     private static Scene seenFrom(Camera camera) {
         return Scenes.load("disc")
