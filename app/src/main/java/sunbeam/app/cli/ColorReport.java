@@ -49,9 +49,8 @@ record ColorReport(
     private static final double BLACK = 1e-9;
 
     /**
-     * Relative radiance at {@link #nanometers}, and the band that makes the color, meters: half of the light
-     * lies within it, a quarter below and a quarter above. Unlike a width at half maximum, it hardly changes with a single bright grain of
-     * speckle.
+     * Relative radiance at {@link #nanometers}, and the band that makes the color, meters: half of the light lies within it, a quarter
+     * below and a quarter above. Unlike a width at half maximum, it hardly changes with a single bright grain of speckle.
      */
     record Spectrum(ViewColor.View view, double[] radiances, double from, double to) {
         private static final int FIRST = 380;

@@ -90,8 +90,7 @@ public final class DoctorCommand extends ReportingCommand {
 
         private String text() {
             // As wide as the longest name, that of the operating system.
-            String line = Text.format("%-4s  %-16s  %s", remedy.isEmpty() ? "ok" : "FAIL", name, value);
-            return line
+            return Text.format("%-4s  %-16s  %s", remedy.isEmpty() ? "ok" : "FAIL", name, value)
                     + remedy.map(words -> System.lineSeparator() + " ".repeat(24) + words)
                             .orElse("");
         }
@@ -145,8 +144,7 @@ public final class DoctorCommand extends ReportingCommand {
 
     private static Check display(Environment environment) {
         String display = environment.variable("DISPLAY");
-        boolean needed = System.getProperty("os.name").equals("Linux");
-        return display.isEmpty() && needed
+        return display.isEmpty() && System.getProperty("os.name").equals("Linux")
                 ? Check.failed("Display", "DISPLAY is not set", "start with ./sunbeam, which starts Xvfb")
                 : Check.ok("Display", display.isEmpty() ? "the system's own" : display);
     }

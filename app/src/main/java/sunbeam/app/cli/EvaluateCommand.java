@@ -109,7 +109,6 @@ public final class EvaluateCommand extends FileCommand {
         FileGroup files = writableGroup(output, patch.name() + "-evaluate");
         Choices choices = limit.choices();
         GaussianArea area = GaussianArea.of(choices);
-
         GratingPeriod period = period(patch);
         out.println(Verdict.of(patch, period, 0).sentence());
         FirstOrder order = order(patch, period);

@@ -52,10 +52,8 @@ enum FigurePlot {
             case RESPONSES -> responses(results);
             case ERRORS -> errors(results);
         };
-        plot.write(
-                drawing.file(),
-                Overwrite.REPLACE,
-                Map.of("Title", drawing.picture().label()));
+        Map<String, String> text = Map.of("Title", drawing.picture().label());
+        plot.write(drawing.file(), Overwrite.REPLACE, text);
         if (!numbers.isEmpty()) {
             AtomicFile.write(
                     drawing.beside(".json"), Overwrite.REPLACE, AtomicFile.StreamContent.of(JsonOption.text(numbers)));

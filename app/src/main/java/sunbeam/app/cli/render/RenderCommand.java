@@ -129,7 +129,7 @@ public final class RenderCommand extends FileCommand {
         }
         List<Scene> scenes = animation.isGiven() ? animation.scenes(scene) : List.of(scene);
         certify.check(scene);
-        Path target = output != null ? output : Path.of(stem() + animation.ending());
+        Path target = output != null ? output : Path.of(FileNames.stem(Path.of(sceneName)) + animation.ending());
         checkFiles(scene, target, scenes.size());
         SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
         try (LoadingScene loading = new LoadingScene(loader, scene);
@@ -193,7 +193,7 @@ public final class RenderCommand extends FileCommand {
                         || overlays.lightCone
                         || certify.count().isPresent(),
                 "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone and --certify out");
-        Path file = writable(output, stem() + "-wireframe.png");
+        Path file = writable(output, FileNames.stem(Path.of(sceneName)) + "-wireframe.png");
         MeshSource.Loaded mesh = scene.mesh().load();
         mesh.warnings().forEach(warning -> err().println(Messages.warning(warning)));
         BufferedImage image = LineDrawings.wireframe(scene, mesh.mesh(), overlays.strokes, size.width(), size.height());
@@ -218,10 +218,6 @@ public final class RenderCommand extends FileCommand {
         UsageException.throwIf(
                 linear != null && linear.equals(output),
                 "--linear " + linear + " is the picture's own name; give it another");
-    }
-
-    private String stem() {
-        return FileNames.stem(Path.of(sceneName));
     }
 
     /** True if the target may be an existing file or folder; otherwise a taken name gets a number. */

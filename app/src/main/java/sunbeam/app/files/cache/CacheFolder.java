@@ -62,7 +62,6 @@ public record CacheFolder(Path path, String allowed) {
     private static final int SURFACE_DIGITS = 12;
     private static final int KEY_DIGITS = 32;
 
-    private static final String NAME = "sunbeam";
     private static final String LIMIT = "SUNBEAM_CACHE_LIMIT";
     private static final Set<PosixFilePermission> OWNERS_ONLY = PosixFilePermissions.fromString("rw-------");
     private static final Set<PosixFilePermission> OWNERS_FOLDER = PosixFilePermissions.fromString("rwx------");
@@ -71,7 +70,7 @@ public record CacheFolder(Path path, String allowed) {
         String variable = environment.variable("XDG_CACHE_HOME");
         boolean absolute = !variable.isEmpty() && Path.of(variable).isAbsolute();
         Path base = absolute ? Path.of(variable) : environment.home().resolve(".cache");
-        return new CacheFolder(base.resolve(NAME), environment.variable(LIMIT));
+        return new CacheFolder(base.resolve("sunbeam"), environment.variable(LIMIT));
     }
 
     /** Creates the folder if it is missing; empty, with one line of warning, if it takes no files. */

@@ -32,7 +32,6 @@ public final class Plot {
     private int count;
     private Optional<Double> equalStep = Optional.empty();
     private RectangleEdge legendEdge = RectangleEdge.RIGHT;
-
     private int ringSeries;
 
     public enum Scale {

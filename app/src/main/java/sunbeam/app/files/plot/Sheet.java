@@ -38,7 +38,6 @@ public final class Sheet {
     private static final Color FAILURE = new Color(0xB00020);
     // Text is anti-aliased and letters begin at whole pixels, as in pictures.
     private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, false);
-    private static final String ELLIPSIS = "\u2026";
 
     private final int width;
     private final List<Part> parts = new ArrayList<>();
@@ -210,7 +209,7 @@ public final class Sheet {
             int first = (2 * kept + 2) / 3;
             String beginning = new String(letters, 0, first).stripTrailing();
             String end = new String(letters, letters.length - kept + first, kept - first).stripLeading();
-            shown = beginning + ELLIPSIS + end;
+            shown = beginning + "\u2026" + end;
         }
         return shown;
     }

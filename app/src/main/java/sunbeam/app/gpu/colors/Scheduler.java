@@ -113,8 +113,7 @@ final class Scheduler implements AutoCloseable {
                 .ifPresent(job -> job.token().cancel());
         idling.filter(task -> isClosing || isInteractive || !isComplete(first))
                 .ifPresent(task -> task.token().cancel());
-        boolean isDue = isClosing || first.isPresent() || mayIdle(first);
-        if (isDue && !isQueued) {
+        if (!isQueued && (isClosing || first.isPresent() || mayIdle(first))) {
             isQueued = true;
             executor.execute(this::turn);
         }
