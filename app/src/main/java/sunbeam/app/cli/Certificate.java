@@ -97,9 +97,8 @@ public record Certificate(
     }
 
     public boolean missed() {
-        boolean dark = relative.count() == 0;
         boolean even = colorDifference.count() == 0 || colorDifference.mean() <= limits.meanDifference();
-        return !dark && !(limits.hold(relative) && even);
+        return relative.count() > 0 && !(limits.hold(relative) && even);
     }
 
     public String summary() {

@@ -108,9 +108,8 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
         List<Item> items = all.subList((int) task.first(all.size()), (int) task.end(all.size()));
         UsageException.throwIf(
                 items.isEmpty(), PatchOptions.TASK + " of " + all.size() + " surfaces is empty; give fewer parts");
-        boolean resumes = parsed.hasMatchedOption("--resume");
         Overwrite overwrite = replaces() ? Overwrite.REPLACE : Overwrite.REFUSE;
-        CollectionFolder folder = CollectionFolder.open(folder(), task, overwrite, resumes);
+        CollectionFolder folder = CollectionFolder.open(folder(), task, overwrite, parsed.hasMatchedOption("--resume"));
         List<ObjectNode> rows = new ArrayList<>();
         String kept = "interrupted; what is finished is kept, add --resume to go on";
         ShutdownHook hook = new ShutdownHook(() -> err.println(Messages.error(kept)));

@@ -78,9 +78,8 @@ public class SettingOptions {
     }
 
     private String description(Setting<?> setting) {
-        String help = setting.help().in(OptionOrigin.INSTANCE);
         Optional<String> standard = overriding ? Optional.empty() : setting.writtenStandard();
-        return help
+        return setting.help().in(OptionOrigin.INSTANCE)
                 + Optional.ofNullable(helpTexts.get(setting))
                         .or(() -> standard)
                         .map(value -> " Default: " + value + ".")

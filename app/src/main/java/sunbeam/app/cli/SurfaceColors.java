@@ -235,9 +235,8 @@ final class SurfaceColors {
         Optional<ViewColor> purest = ViewColor.purest(outside, this::mayBePurest);
         ViewColor.View chosen = purest.map(ViewColor::view).orElseGet(() -> view(true, -theta));
         ColorReport.Spectrum spectrum = spectrum(context, chosen);
-        String plan = plan().summary();
         double length = window.coherenceLength();
-        return new ColorReport(patch(), period, verdict(), colored, length, plan, seen, spectrum, purest);
+        return new ColorReport(patch(), period, verdict(), colored, length, plan().summary(), seen, spectrum, purest);
     }
 
     private ColorReport.Spectrum spectrum(RenderContext context, ViewColor.View view) {

@@ -68,9 +68,8 @@ public final class ProgressDisplay {
     }
 
     /** Hides all tasks that start later ({@code --quiet}). */
-    public ProgressDisplay silence() {
+    public void silence() {
         silent = true;
-        return this;
     }
 
     /** Starts a task such as {@code rendering} with a number of steps, at least 0. */

@@ -98,7 +98,8 @@ final class ProgressTest {
 
     @Test
     void programsInOneProcessShareNoState() {
-        ProgressDisplay silent = display(true).silence();
+        ProgressDisplay silent = display(true);
+        silent.silence();
         try (ProgressDisplay.Line one = display(true).new Line();
                 ProgressDisplay.Line other = display(true).new Line();
                 Progress hidden = silent.start("hidden", 1)) {

@@ -286,10 +286,9 @@ public final class Sunbeam {
             if (unmatched.isUnknownOption() && isOptionOfACommand(mistake, argument)) {
                 return "option '" + argument + "' has no command before it; give the command first, then its options";
             }
-            String kind = unmatched.isUnknownOption() ? "option" : "command";
             List<String> suggestions = closest(unmatched.getSuggestions(), argument);
             String meant = suggestions.isEmpty() ? "" : " (did you mean " + String.join(" or ", suggestions) + "?)";
-            return "unknown " + kind + " '" + argument + "'" + meant;
+            return "unknown " + (unmatched.isUnknownOption() ? "option" : "command") + " '" + argument + "'" + meant;
         }
 
         private static boolean isOptionOfACommand(ParameterException mistake, String argument) {

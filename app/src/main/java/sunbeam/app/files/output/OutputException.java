@@ -27,7 +27,6 @@ public class OutputException extends RuntimeException {
         super(message, cause);
     }
 
-    /** Returns the exception for an operating system's failure. */
     public static OutputException of(Path target, IOException cause) {
         if (OutputFolder.isStandardOutput(target)) {
             return new OutputException(toStandardOutput(reason(rootOf(cause))), cause);
