@@ -119,8 +119,6 @@ public final class ViewerWindow extends JFrame {
 
     /** Panel beside the picture that scrolls vertically if it needs more height, never horizontally. */
     private static final class SidePanel extends JPanel implements Scrollable {
-        private static final int UNIT = 16;
-
         private SidePanel() {
             super(new BorderLayout());
         }
@@ -132,7 +130,7 @@ public final class ViewerWindow extends JFrame {
 
         @Override
         public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-            return UNIT;
+            return 16;
         }
 
         @Override

@@ -13,7 +13,6 @@ import de.javagl.jgltf.impl.v2.AccessorSparseIndices;
 import de.javagl.jgltf.impl.v2.AccessorSparseValues;
 import de.javagl.jgltf.impl.v2.Buffer;
 import de.javagl.jgltf.impl.v2.BufferView;
-import de.javagl.jgltf.impl.v2.GlTF;
 import java.io.IOException;
 import java.net.URLDecoder;
 import java.nio.ByteBuffer;
@@ -50,14 +49,12 @@ final class GltfAccessors {
     private static final Pattern DATA = Pattern.compile("(?i)data:[^,]*;base64,");
 
     private final Path file;
-    private final GlTF gltf;
-    private final ByteBuffer binary;
+    private final GltfDocument document;
     private final Map<Integer, ByteBuffer> loaded = new HashMap<>();
 
     GltfAccessors(Path file, GltfDocument document) {
         this.file = file;
-        this.gltf = document.gltf();
-        this.binary = document.binary();
+        this.document = document;
     }
 
     /** Numbers of a type in a buffer view. */
@@ -65,14 +62,14 @@ final class GltfAccessors {
 
     /** Returns at most three times {@link RawMesh.Builder#MOST_ELEMENTS}, the corners of as many triangles. */
     int count(Integer index) {
-        Integer count = entry(gltf.getAccessors(), index, "accessor").getCount();
+        Integer count = entry(document.gltf().getAccessors(), index, "accessor").getCount();
         String most = "; 1 to " + MOST_ELEMENTS + " can be used, so simplify the mesh";
         refuseIf(count == null || count > MOST_ELEMENTS, index, "has " + count + " elements" + most);
         return count;
     }
 
     double[] read(Integer index, int components) throws IOException {
-        Accessor accessor = entry(gltf.getAccessors(), index, "accessor");
+        Accessor accessor = entry(document.gltf().getAccessors(), index, "accessor");
         Integer known = COMPONENTS.getOrDefault(String.valueOf(accessor.getType()), 0);
         refuseIf(known != components, index, "has not " + components + " numbers each; export it again");
         int count = count(index);
@@ -126,7 +123,7 @@ final class GltfAccessors {
 
     /** Returns the numbers of a buffer view; the accessor's index is for messages. */
     private double[] numbers(Integer index, Place place, int components, int count) throws IOException {
-        BufferView view = entry(gltf.getBufferViews(), place.view, "buffer view");
+        BufferView view = entry(document.gltf().getBufferViews(), place.view, "buffer view");
         ByteBuffer all = view(view);
         SampleType type = place.componentType == null ? null : TYPES.get(place.componentType);
         int first = place.offset == null ? 0 : place.offset;
@@ -169,7 +166,7 @@ final class GltfAccessors {
     }
 
     private ByteBuffer buffer(Integer index) throws IOException {
-        Buffer buffer = entry(gltf.getBuffers(), index, "buffer");
+        Buffer buffer = entry(document.gltf().getBuffers(), index, "buffer");
         if (!loaded.containsKey(index)) {
             loaded.put(index, load(buffer, index));
         }
@@ -179,7 +176,7 @@ final class GltfAccessors {
     private ByteBuffer load(Buffer buffer, int index) throws IOException {
         String uri = buffer.getUri();
         if (uri == null) {
-            if (index != 0 || binary.limit() == 0) {
+            if (index != 0 || document.binary().limit() == 0) {
                 String extension = buffer.getExtensions() == null
                         ? ""
                         : " but by the extensions "
@@ -188,7 +185,7 @@ final class GltfAccessors {
                 throw new InputException(
                         "buffer " + index + " has no data" + extension + "; export it again, uncompressed");
             }
-            return binary;
+            return document.binary();
         }
         var data = DATA.matcher(uri);
         if (data.lookingAt()) {

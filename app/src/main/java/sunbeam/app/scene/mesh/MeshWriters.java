@@ -44,11 +44,10 @@ public final class MeshWriters {
         writeLines(writer, "v", mesh.positions(), 3);
         writeLines(writer, "vt", mesh.textureCoordinates(), 2);
         writeLines(writer, "vn", mesh.normals(), 3);
-        int[] indices = mesh.indices();
-        for (int i = 0; i < indices.length; i += 3) {
+        for (int i = 0; i < mesh.indices().length; i += 3) {
             writer.write("f");
             for (int corner = i; corner < i + 3; corner++) {
-                String number = Integer.toString(indices[corner] + 1);
+                String number = Integer.toString(mesh.indices()[corner] + 1);
                 writer.write(" " + number + "/" + number + "/" + number);
             }
             writer.write('\n');

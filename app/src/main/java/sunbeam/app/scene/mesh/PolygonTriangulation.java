@@ -2,6 +2,7 @@ package sunbeam.app.scene.mesh;
 
 import java.nio.IntBuffer;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
 
 /** Divides polygons, also concave ones, by cutting off ears (Meisters 1975) in the mean plane (Newell's normal); O(n^2) at worst. */
@@ -55,12 +56,8 @@ final class PolygonTriangulation {
     }
 
     private int[] cut() {
-        for (int i = 0; i < previous.length; i++) {
-            updateReflex(i);
-        }
-        for (int i = 0; i < previous.length; i++) {
-            updateEar(i);
-        }
+        IntStream.range(0, previous.length).forEach(this::updateReflex);
+        IntStream.range(0, previous.length).forEach(this::updateEar);
         IntBuffer triangles = IntBuffer.allocate(3 * (previous.length - 2));
         int first = 0;
         for (int remaining = previous.length; remaining > 3; remaining--) {

@@ -1,7 +1,6 @@
 package sunbeam.app.scene.mesh;
 
 import java.nio.ByteBuffer;
-import java.nio.FloatBuffer;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import jrtr.VertexData.BoundingSphere;
@@ -25,9 +24,8 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
         String name = "sky over mesh " + checksum.add(mesh.indices()).hex();
         int size = Float.BYTES * (mesh.vertices() + GROUND_SIDE * GROUND_SIDE);
         byte[] bytes = cache.get(name, size, () -> new DepthMaps(mesh).shares.toBytes(size));
-        FloatBuffer all = ByteBuffer.wrap(bytes).asFloatBuffer();
         SkyVisibility visibility = new SkyVisibility(new float[mesh.vertices()], new float[GROUND_SIDE * GROUND_SIDE]);
-        all.get(visibility.ofVertices).get(visibility.ofGround);
+        ByteBuffer.wrap(bytes).asFloatBuffer().get(visibility.ofVertices).get(visibility.ofGround);
         return visibility;
     }
 
@@ -159,12 +157,11 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
                         shares.ofVertices[i] += cosine;
                     }
                 }
-                int side = GROUND_SIDE;
-                double step = 2 * GROUND_REACH * radius / side;
+                double step = 2 * GROUND_REACH * radius / GROUND_SIDE;
                 double height = ground(mesh);
                 for (int i = 0; i < shares.ofGround.length; i++) {
-                    double x = middle.x + step * (i % side + 0.5 - side / 2.0);
-                    double y = middle.y + step * (i / side + 0.5 - side / 2.0);
+                    double x = middle.x + step * (i % GROUND_SIDE + 0.5 - GROUND_SIDE / 2.0);
+                    double y = middle.y + step * (i / GROUND_SIDE + 0.5 - GROUND_SIDE / 2.0);
                     if (sees(new Vector3d(x, y, height))) {
                         shares.ofGround[i] += (float) (direction.z / zSum);
                     }
