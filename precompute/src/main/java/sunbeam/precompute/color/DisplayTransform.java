@@ -13,12 +13,8 @@ public record DisplayTransform(double exposure, Tone tone, Primaries primaries) 
 
     private void light(double x, double y, double z, double[] rgb) {
         double luminance = exposure * y;
-        if (!(luminance > 0)) {
-            rgb[0] = rgb[1] = rgb[2] = 0;
-            return;
-        }
-        if (luminance == Double.POSITIVE_INFINITY) {
-            rgb[0] = rgb[1] = rgb[2] = 1;
+        if (!(luminance > 0 && luminance < Double.POSITIVE_INFINITY)) {
+            rgb[0] = rgb[1] = rgb[2] = luminance > 0 ? 1 : 0;
             return;
         }
         primaries.channels(exposure * x, luminance, exposure * z, rgb);

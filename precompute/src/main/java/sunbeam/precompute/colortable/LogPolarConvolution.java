@@ -82,9 +82,7 @@ final class LogPolarConvolution {
             return new double[padded];
         }
         double[] values = new double[wavelengths.count()];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = atNodes[slice][i][term] * wavelengths.weights()[i][target % COLORS];
-        }
+        Arrays.setAll(values, i -> atNodes[slice][i][term] * wavelengths.weights()[i][target % COLORS]);
         return Arrays.copyOf(interpolation.coefficients(values), padded);
     }
 

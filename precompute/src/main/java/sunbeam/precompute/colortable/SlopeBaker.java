@@ -11,6 +11,7 @@ import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.colortable.Interpolation.SplineFilter;
 import sunbeam.precompute.colortable.WindowedSpectrum.GaussianWeights;
 import sunbeam.precompute.numerics.Lagrange;
+import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.spectrum.PowerSpectrum.Axis;
 
@@ -180,10 +181,7 @@ public record SlopeBaker(
             double farthest = FARTHEST / CieTable.MINIMUM_WAVELENGTH;
             double share = Math.pow(table.area().window().sigmaFrequency() / narrowest, 2);
             this.stride = bins.stride();
-            float[] powers = new float[bins.powers().length];
-            for (int i = 0; i < powers.length; i++) {
-                powers[i] = (float) bins.powers()[i];
-            }
+            float[] powers = FourierTable.toFloat(bins.powers());
             Plane plane = Plane.empty(narrowest, farthest, stride);
             sum(powers, bins.x(), bins.y(), narrowest, plane, share);
             planes.add(plane);

@@ -1,5 +1,6 @@
 package sunbeam.precompute.plan;
 
+import java.util.Arrays;
 import java.util.StringJoiner;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
@@ -182,9 +183,7 @@ public final class ShaderArrays {
             double[] nodes = IntStream.range(0, powers)
                     .mapToDouble(i -> Math.cos(Math.PI * (i + 0.5) / powers))
                     .toArray();
-            double[] values = IntStream.range(0, powers)
-                    .mapToDouble(i -> function.applyAsDouble(nodes[i]))
-                    .toArray();
+            double[] values = Arrays.stream(nodes).map(function).toArray();
             return new PolynomialFunctionLagrangeForm(nodes, values).getCoefficients();
         }
 

@@ -9,6 +9,7 @@ import java.util.function.DoubleConsumer;
 import java.util.function.UnaryOperator;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.spectrum.FourierTable;
 
 /**
  * Tables of a method's shader: constants, uniforms and arrays. Callers must not change the uniforms' components.
@@ -50,8 +51,7 @@ public record ShaderTables(
     }
 
     public ShaderTables with(UnaryOperator<Builder> additions) {
-        Builder all = new Builder(shader).all(this).trial(trial);
-        return additions.apply(all).build(windowSigma, specularReach);
+        return additions.apply(new Builder(shader).all(this).trial(trial)).build(windowSigma, specularReach);
     }
 
     public static final class Builder {
@@ -72,11 +72,7 @@ public record ShaderTables(
         }
 
         public Builder reals(String name, double... components) {
-            float[] rounded = new float[components.length];
-            for (int i = 0; i < rounded.length; i++) {
-                rounded[i] = (float) components[i];
-            }
-            reals.put(name, rounded);
+            reals.put(name, FourierTable.toFloat(components));
             return this;
         }
 

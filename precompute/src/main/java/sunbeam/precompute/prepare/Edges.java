@@ -1,6 +1,7 @@
 package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
+import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 
 /** Treatment of a scan's border, where its repetition begins. */
@@ -93,14 +94,13 @@ public enum Edges {
 
         private static Seam of(double[] squares) {
             int inside = squares.length - 1;
-            double sum = 0;
-            for (int i = 0; i < inside; i++) {
-                sum += squares[i];
-            }
             double steepest = Arrays.stream(squares, 0, inside).max().orElse(0);
             return inside == 0
                     ? new Seam(0, 0, 0)
-                    : new Seam(Math.sqrt(squares[inside]), Math.sqrt(sum / inside), Math.sqrt(steepest));
+                    : new Seam(
+                            Math.sqrt(squares[inside]),
+                            Math.sqrt(StatUtils.sum(squares, 0, inside) / inside),
+                            Math.sqrt(steepest));
         }
 
         public double ratio() {

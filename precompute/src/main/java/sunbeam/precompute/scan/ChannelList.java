@@ -55,12 +55,12 @@ public record ChannelList(List<ScanChannel> channels) {
 
     /** Finds a channel by its label, name (trace before retrace), number from 1, or label without an image's page number. */
     public Optional<Integer> find(String name) {
-        String plain = plain(name);
+        String plain = Text.plain(name);
         List<String> labels = labels();
-        return traceFirst(i -> plain(labels.get(i)).equals(plain))
-                .or(() -> traceFirst(i -> plain(channels.get(i).name()).equals(plain)))
+        return traceFirst(i -> Text.plain(labels.get(i)).equals(plain))
+                .or(() -> traceFirst(i -> Text.plain(channels.get(i).name()).equals(plain)))
                 .or(() -> traceFirst(i -> Integer.toString(i + 1).equals(plain)))
-                .or(() -> traceFirst(i -> plain(labels.get(i)).matches("page \\d+ " + Pattern.quote(plain))));
+                .or(() -> traceFirst(i -> Text.plain(labels.get(i)).matches("page \\d+ " + Pattern.quote(plain))));
     }
 
     private Optional<Integer> traceFirst(IntPredicate which) {
@@ -73,7 +73,7 @@ public record ChannelList(List<ScanChannel> channels) {
     public Optional<String> nearest(String name) {
         return Text.nearest(name, labels())
                 .or(() -> labels().stream()
-                        .filter(label -> !name.isBlank() && plain(label).startsWith(plain(name)))
+                        .filter(label -> !name.isBlank() && Text.plain(label).startsWith(Text.plain(name)))
                         .findFirst());
     }
 
@@ -104,10 +104,6 @@ public record ChannelList(List<ScanChannel> channels) {
                 .mapToObj(i ->
                         (i + 1) + " " + labels.get(i) + ": " + channels.get(i).describe())
                 .toList();
-    }
-
-    private static String plain(String name) {
-        return name.strip().toLowerCase(Locale.ROOT);
     }
 
     enum Kind {

@@ -152,17 +152,17 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     private void requireReadable() {
         Samples.requireSize(columns(), rows());
         int compression = (int) number(TIFF.TAG_COMPRESSION, UNCOMPRESSED);
-        if (compression == 6 || compression == 7) {
-            throw new ScanException("has JPEG compression, which changes heights; save it with LZW, ZIP or none");
-        }
-        if (!LOSSLESS.contains(compression)) {
-            throw new ScanException("is a TIFF with compression " + compression + "; save it with LZW, ZIP or none");
-        }
+        ScanException.refuseIf(
+                compression == 6 || compression == 7,
+                "has JPEG compression, which changes heights; save it with LZW, ZIP or none");
+        ScanException.refuseIf(
+                !LOSSLESS.contains(compression),
+                "is a TIFF with compression " + compression + "; save it with LZW, ZIP or none");
         int orientation = (int) number(TIFF.TAG_ORIENTATION, 1);
-        if (orientation > 1) {
-            throw new ScanException("is a TIFF with orientation tag " + orientation
-                    + "; save it upright (row 0 on top, column 0 on the left)");
-        }
+        ScanException.refuseIf(
+                orientation > 1,
+                "is a TIFF with orientation tag " + orientation
+                        + "; save it upright (row 0 on top, column 0 on the left)");
         boolean sameBitDepth =
                 Arrays.stream(numbers(TIFF.TAG_BITS_PER_SAMPLE)).distinct().count() <= 1;
         boolean known = isFloat()
@@ -176,9 +176,9 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         ScanException.refuseIf(
                 bands() < 1 || bands() > MAX_BANDS, "has " + bands() + " channels; save it as gray or RGB");
         double tile = number(TIFF.TAG_TILE_WIDTH, 0) * number(TIFF.TAG_TILE_HEIGTH, 0);
-        if (tile > Samples.MOST_SAMPLES) {
-            throw new ScanException(Text.format("is a TIFF with tiles of %.0f samples; save it in strips", tile));
-        }
+        ScanException.refuseIf(
+                tile > Samples.MOST_SAMPLES,
+                Text.format("is a TIFF with tiles of %.0f samples; save it in strips", tile));
         requireComplete(compression);
         long count = (long) columns() * rows();
         Samples.requireMemory(count, count * bands() * Math.max(bits(), 32) / 8);

@@ -107,7 +107,7 @@ public record FourierTable(
         };
     }
 
-    private static float[] toFloat(double[] values) {
+    public static float[] toFloat(double[] values) {
         float[] result = new float[values.length];
         for (int i = 0; i < values.length; i++) {
             result[i] = (float) values[i];

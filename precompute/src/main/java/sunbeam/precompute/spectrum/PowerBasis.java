@@ -7,6 +7,7 @@ import org.apache.commons.math3.complex.Complex;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.apache.commons.math3.util.KthSelector;
+import org.apache.commons.math3.util.MathArrays;
 
 /**
  * Powers |F_j|^2 of the bins as functions of the phase, in the shortest real basis: the singular vectors of the powers of the strongest
@@ -39,13 +40,9 @@ final class PowerBasis {
         weights = new double[nodes.count()];
         Arrays.setAll(weights, q -> nodes.weights()[q] / (typical[q] * typical[q]));
         functions = basis(rows, mirror, tolerance);
-        double[][] weighted = new double[functions.length][nodes.count()];
-        for (int n = 0; n < weighted.length; n++) {
-            for (int q = 0; q < nodes.count(); q++) {
-                weighted[n][q] = weights[q] * functions[n][q];
-            }
-        }
-        projections = powers.sums(weighted);
+        projections = powers.sums(Arrays.stream(functions)
+                .map(function -> MathArrays.ebeMultiply(weights, function))
+                .toArray(double[][]::new));
     }
 
     /** Powers of bin (0, 0), the only bin of a mirror; zeros if the table lacks the bin. */
@@ -73,11 +70,7 @@ final class PowerBasis {
     }
 
     private double mean(double[] row) {
-        double mean = 0;
-        for (int q = 0; q < row.length; q++) {
-            mean += nodes.weights()[q] * row[q];
-        }
-        return mean;
+        return BinPowers.sum(nodes.weights(), row);
     }
 
     private double[][] basis(double[][] rows, double[] mirror, double tolerance) {
@@ -120,7 +113,7 @@ final class PowerBasis {
 
     /** Fewest functions that approximate a row within the tolerance in every octave. */
     private int functionsNeeded(double[] row, double[][] all, double tolerance) {
-        double[] allowed = octaveMeans(squares(row));
+        double[] allowed = octaveMeans(MathArrays.ebeMultiply(row, row));
         Arrays.setAll(allowed, q -> tolerance * tolerance * allowed[q] + DARKEST * DARKEST);
         double[] rest = row.clone();
         for (int n = 0; n < all.length; n++) {
@@ -128,16 +121,12 @@ final class PowerBasis {
             for (int q = 0; q < rest.length; q++) {
                 rest[q] -= share * all[n][q];
             }
-            double[] left = octaveMeans(squares(rest));
+            double[] left = octaveMeans(MathArrays.ebeMultiply(rest, rest));
             if (IntStream.range(0, rest.length).allMatch(q -> left[q] <= allowed[q])) {
                 return n + 1;
             }
         }
         return all.length;
-    }
-
-    private static double[] squares(double[] values) {
-        return Arrays.stream(values).map(value -> value * value).toArray();
     }
 
     /** Functions that suffice for all brilliant rows and 99 of 100 others: a limit of the mean error would drop a grating's weak orders. */

@@ -46,7 +46,8 @@ public final class Text {
                 .min(Comparator.comparingInt(name -> editDistance(plain, plain(name))));
     }
 
-    private static String plain(String name) {
+    /** Returns a name without what users may write differently: case and blanks around it. */
+    public static String plain(String name) {
         return name.strip().toLowerCase(Locale.ROOT);
     }
 

@@ -3,6 +3,7 @@ package sunbeam.precompute.patch.builtin;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.stat.StatUtils;
 
 /**
  * Reproducible random numbers and fields. Normal deviates are those of Box and Muller (Ann. Math. Statist. 29, 1958) with {@link
@@ -53,11 +54,7 @@ final class SeededNoise {
             }
         }
         double[] field = sumOverRows(real, imaginary, rows);
-        double squares = 0;
-        for (double value : field) {
-            squares += value * value;
-        }
-        double factor = rms / StrictMath.sqrt(squares / field.length);
+        double factor = rms / StrictMath.sqrt(StatUtils.sumSq(field) / field.length);
         Arrays.setAll(field, i -> factor * field[i]);
         return field;
     }
