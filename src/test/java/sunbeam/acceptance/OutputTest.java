@@ -146,28 +146,6 @@ class OutputTest extends InWorkplace {
         assertThat(workplace.tables()).allMatch(table -> table.toString().endsWith(".tables"));
     }
 
-    /** Xlib would crash Java at the next call, after hours of drawing for nothing. */
-    @Test
-    void aScreenThatEndsIsOneLine() throws Exception {
-        try (RunningSunbeam running = workplace.command(MAP).without("DISPLAY").start()) {
-            RunningSunbeam.await("the drawing", this::isDrawing);
-            ProcessHandle screen = running.process()
-                    .descendants()
-                    .filter(process -> process.info().command().orElse("").endsWith("/Xvfb"))
-                    .findFirst()
-                    .orElseThrow();
-            assertThat(screen.destroyForcibly()).isTrue();
-            SunbeamResult result = running.end(Duration.ofSeconds(60)).ended(SunbeamResult.NO_GRAPHICS);
-            assertThat(result.stdout()).isEmpty();
-            assertThat(result.stderr().lines().skip(1))
-                    .singleElement()
-                    .satisfies(line -> assertThat(line)
-                            .startsWith("sunbeam: the X server of DISPLAY=:")
-                            .contains("has ended"));
-        }
-        assertThat(workplace.files()).isEmpty();
-    }
-
     @Test
     void aFolderOfScansKeepsTheFinishedReports() throws Exception {
         Path scans = Files.createDirectory(workplace.resolve("scans"));
