@@ -24,6 +24,7 @@ import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -201,11 +202,7 @@ final class SurfaceColors {
     /** Returns the colors that set the exposure: those outside the gloss, or all if the surface has no color. */
     LinearPicture meteredColors() {
         List<double[]> some = isColored() ? outsideGloss() : List.of(colors);
-        float[] xyz = new float[3 * some.size()];
-        for (int i = 0; i < xyz.length; i++) {
-            xyz[i] = (float) some.get(i / 3)[i % 3];
-        }
-        return new LinearPicture(some.size(), 1, xyz);
+        return new LinearPicture(some.size(), 1, Floats.of(3 * some.size(), i -> some.get(i / 3)[i % 3]));
     }
 
     /** Returns the verdict for this light if it lies in the viewing planes, else for light along the normal. */

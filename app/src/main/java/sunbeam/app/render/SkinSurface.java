@@ -26,6 +26,7 @@ import sunbeam.app.scene.SceneSettings.BodyAlpha;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.ShaderTables;
@@ -158,10 +159,7 @@ final class SkinSurface implements AutoCloseable {
                 lights.size(),
                 count -> method.program("moving.frag", Map.of("MOST_TAPS", taps + "", "LIGHTS", count + "")));
         setLight(moving, scene);
-        float[] variances = new float[lights.size()];
-        for (int i = 0; i < variances.length; i++) {
-            variances[i] = (float) Math.pow(scene.deviation(lights.get(i)), 2);
-        }
+        float[] variances = Floats.of(lights.size(), i -> Math.pow(scene.deviation(lights.get(i)), 2));
         moving.set("lightVariances", variances);
         Map<String, Texture> textures = new HashMap<>(method.textures());
         texture.ifPresent(tiles -> {

@@ -29,6 +29,7 @@ import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
@@ -204,11 +205,7 @@ public final class Scenes {
     }
 
     private static float[] floats(List<JsonNode> values, ToDoubleFunction<JsonNode> number) {
-        float[] floats = new float[values.size()];
-        for (int i = 0; i < floats.length; i++) {
-            floats[i] = (float) number.applyAsDouble(values.get(i));
-        }
-        return floats;
+        return Floats.of(values.size(), i -> number.applyAsDouble(values.get(i)));
     }
 
     private static SceneLight light(JsonObject light) {

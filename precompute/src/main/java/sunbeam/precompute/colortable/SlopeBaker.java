@@ -10,8 +10,8 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.colortable.Interpolation.SplineFilter;
 import sunbeam.precompute.colortable.WindowedSpectrum.GaussianWeights;
+import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.numerics.Lagrange;
-import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.spectrum.PowerSpectrum.Axis;
 
@@ -181,7 +181,7 @@ public record SlopeBaker(
             double farthest = FARTHEST / CieTable.MINIMUM_WAVELENGTH;
             double share = Math.pow(table.area().window().sigmaFrequency() / narrowest, 2);
             this.stride = bins.stride();
-            float[] powers = FourierTable.toFloat(bins.powers());
+            float[] powers = Floats.of(bins.powers().length, i -> bins.powers()[i]);
             Plane plane = Plane.empty(narrowest, farthest, stride);
             sum(powers, bins.x(), bins.y(), narrowest, plane, share);
             planes.add(plane);

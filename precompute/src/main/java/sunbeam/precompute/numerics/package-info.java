@@ -1,2 +1,2 @@
-/** Interpolation and quantiles, which several packages share. */
+/** Interpolation, quantiles and rounding to floats, which several packages share. */
 package sunbeam.precompute.numerics;

@@ -8,8 +8,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
 import java.util.function.UnaryOperator;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.spectrum.FourierTable;
 
 /**
  * Tables of a method's shader: constants, uniforms and arrays. Callers must not change the uniforms' components.
@@ -72,7 +72,7 @@ public record ShaderTables(
         }
 
         public Builder reals(String name, double... components) {
-            reals.put(name, FourierTable.toFloat(components));
+            reals.put(name, Floats.of(components.length, i -> components[i]));
             return this;
         }
 

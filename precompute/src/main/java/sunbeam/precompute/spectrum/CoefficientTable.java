@@ -2,6 +2,7 @@ package sunbeam.precompute.spectrum;
 
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
+import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
@@ -52,11 +53,7 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, double[
     }
 
     public float[] floats(int term) {
-        float[] floats = new float[samples()];
-        for (int i = 0; i < floats.length; i++) {
-            floats[i] = (float) values[i][term];
-        }
-        return floats;
+        return Floats.of(samples(), i -> values[i][term]);
     }
 
     /** Returns all functions at a phase, by polynomials of degree 5 with an error below 1e-9 of magnitude 1; clamped at the ends. */

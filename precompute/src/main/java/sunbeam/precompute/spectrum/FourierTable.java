@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.IntConsumer;
 import org.apache.commons.math3.complex.Complex;
+import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
@@ -52,8 +53,8 @@ public record FourierTable(
                     separate(z, x, y, term == n, term);
                 }
             } else {
-                real[n] = toFloat(z.real());
-                imaginary[n] = toFloat(z.imaginary());
+                real[n] = Floats.of(z.length(), i -> z.real()[i]);
+                imaginary[n] = Floats.of(z.length(), i -> z.imaginary()[i]);
             }
             progress.accept(count);
         }
@@ -105,14 +106,6 @@ public record FourierTable(
                 imaginaryRow[column] = imaginaryLevels[index[i]];
             }
         };
-    }
-
-    public static float[] toFloat(double[] values) {
-        float[] result = new float[values.length];
-        for (int i = 0; i < values.length; i++) {
-            result[i] = (float) values[i];
-        }
-        return result;
     }
 
     public int terms() {

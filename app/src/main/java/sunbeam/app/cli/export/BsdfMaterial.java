@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -82,13 +83,11 @@ record BsdfMaterial(Shape shape, HalfVectors.Density azimuths, List<Slice> slice
         double phi = (Math.atan2(wi.y(), wi.x()) + Math.PI) / (2 * Math.PI) * (shape.phis() - 1);
         double theta =
                 Math.min(shape.thetas() - 1.0, Math.acos(Math.min(1, wi.z())) / shape.largest() * (shape.thetas() - 1));
-        float[] density = new float[2 * shape.columns()];
         int below = Math.max(0, Math.min(shape.rows() - 2, (int) row));
         int first = below * shape.columns();
-        for (int i = 0; i < density.length; i++) {
-            int at = first + i;
-            density[i] = (float) between(phi, theta, slice -> slices.get(slice).density()[at]);
-        }
+        float[] density = Floats.of(
+                2 * shape.columns(),
+                i -> between(phi, theta, slice -> slices.get(slice).density()[first + i]));
         double x = HalfVectors.row(density, shape.columns(), row - below).share(column) * (shape.side() - 1);
         double y = azimuths.share(row) * (shape.side() - 1);
         double[] bands = shape.bands().nanometers();

@@ -22,6 +22,7 @@ import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.text.Text;
@@ -156,10 +157,7 @@ record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
 
         /** Returns a field with a curve along its last axis, the same at each index of the axis before. */
         static Field curve(String name, IntToDoubleFunction curve, long... shape) {
-            float[] values = new float[(int) shape[shape.length - 1]];
-            for (int i = 0; i < values.length; i++) {
-                values[i] = (float) curve.applyAsDouble(i);
-            }
+            float[] values = Floats.of((int) shape[shape.length - 1], curve);
             return of(name, Collections.nCopies(shape.length == 1 ? 1 : (int) shape[0], values), shape);
         }
 

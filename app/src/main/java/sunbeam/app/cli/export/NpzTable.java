@@ -15,6 +15,7 @@ import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.color.WavelengthBand.SpectralBands;
+import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.optics.Direction;
 
 /** A NumPy archive: array {@code C} of shape (w, v, u, channel), its axes, and metadata.json; bands are for spectral channels. */
@@ -109,11 +110,7 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
     }
 
     private static float[] values(GridShape.Axis axis, int sign) {
-        float[] values = new float[axis.count()];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = (float) (sign * axis.at(i));
-        }
-        return values;
+        return Floats.of(axis.count(), i -> sign * axis.at(i));
     }
 
     private static void put(ZipOutputStream zip, String name, float[] values, int... shape) throws IOException {

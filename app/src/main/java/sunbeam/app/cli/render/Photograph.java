@@ -35,6 +35,7 @@ import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.numerics.Floats;
 
 /** A decoded photograph: samples as stored, and the orientation (1 to 8, as in Exif) that turns them upright; its methods do so. */
 record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientation) {
@@ -165,10 +166,7 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
                     "photograph " + file
                             + " has a color profile that is damaged or does not fit its samples; convert it to sRGB");
             int white = (1 << bits) - 1;
-            float[] curve = new float[white + 1];
-            for (int sample = 0; sample <= white; sample++) {
-                curve[sample] = (float) Srgb.linear(255.0 * sample / white);
-            }
+            float[] curve = Floats.of(white + 1, sample -> Srgb.linear(255.0 * sample / white));
             if (isStandard) {
                 return new Colors(file, channels, white, curve, Optional.empty());
             }

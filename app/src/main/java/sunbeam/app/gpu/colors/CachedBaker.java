@@ -18,6 +18,7 @@ import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.LevelBakers;
+import sunbeam.precompute.numerics.Floats;
 
 /** Bakes tiles of a color table or reads cached ones. Not thread-safe; a level's baker may need the thread that opened it. */
 final class CachedBaker implements Scheduler.TileBaker {
@@ -154,11 +155,7 @@ final class CachedBaker implements Scheduler.TileBaker {
                 .flatMap(footprint -> Arrays.stream(footprint.taps()))
                 .flatMapToDouble(Arrays::stream)
                 .toArray();
-        float[] rounded = new float[places.length];
-        for (int i = 0; i < places.length; i++) {
-            rounded[i] = (float) places[i];
-        }
-        return rounded;
+        return Floats.of(places.length, i -> places[i]);
     }
 
     /** Evaluates colors of a level or {@link #POINTS}, not yet multiplied by the level's scale. */

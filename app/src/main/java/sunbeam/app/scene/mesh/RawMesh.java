@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.util.ResizableDoubleArray;
 import org.joml.Vector3d;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -132,10 +133,8 @@ public record RawMesh(
         Vector3d size = ends[1].sub(ends[0]);
         double side = Math.max(size.x, size.y);
         double scale = side > 0 ? 1 / side : 1;
-        float[] coordinates = new float[positions.length / 3 * 2];
-        for (int i = 0; i < coordinates.length; i++) {
-            coordinates[i] = (float) ((positions[3 * (i / 2) + i % 2] - ends[0].get(i % 2)) * scale);
-        }
+        float[] coordinates =
+                Floats.of(positions.length / 3 * 2, i -> (positions[3 * (i / 2) + i % 2] - ends[0].get(i % 2)) * scale);
         int[] planar = corners.clone();
         for (int corner = 0; corner < cornerCount(); corner++) {
             planar[3 * corner + 1] = position(corner);
