@@ -100,9 +100,7 @@ final class SurfaceColors {
         azimuthDegrees = Math.toDegrees(period.hasWave() ? period.azimuth() : turn);
         lightAzimuthDegrees = light.find(LightOptions.PHI_I).map(Math::toDegrees);
         for (boolean along : new boolean[] {true, false}) {
-            for (double degrees : angles.values()) {
-                views.add(view(along, degrees));
-            }
+            Arrays.stream(angles.values()).forEach(degrees -> views.add(view(along, degrees)));
         }
         colors = new double[views.size()][3];
         VisibleRange range = VisibleRange.of(

@@ -11,6 +11,7 @@ import de.siegmar.fastcsv.reader.CsvRecord;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
@@ -75,9 +76,7 @@ public final class LightTable {
                     + ", and 380 to 780 nm are needed, in nanometers, 0 where there is no light");
         }
         double[] power = new double[Illuminant.LAST + 1];
-        for (int i = 0; i < power.length; i++) {
-            power[i] = at(powers, FIRST_NANOMETERS + i);
-        }
+        Arrays.setAll(power, i -> at(powers, FIRST_NANOMETERS + i));
         try {
             return new Illuminant(name, power);
         } catch (IllegalArgumentException wrong) {
