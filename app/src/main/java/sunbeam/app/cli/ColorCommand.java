@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import jrtr.gl.RenderContext;
@@ -151,8 +150,8 @@ public final class ColorCommand extends FileCommand {
         tree.put("surfaces", fields);
         tree.put("warnings", warnings);
         Map<String, String> text = new LinkedHashMap<>();
-        text.put("Title", "Colors of " + joined(patches, Patch::name));
-        text.put("Patch", joined(patches, Patch::source));
+        text.put("Title", "Colors of " + patches.stream().map(Patch::name).collect(Collectors.joining("; ")));
+        text.put("Patch", patches.stream().map(Patch::source).collect(Collectors.joining("; ")));
         settings.forEach((key, value) ->
                 text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
         write(files, tree, ColorReport.csv(reports), sheet.draw(), text);
@@ -163,10 +162,6 @@ public final class ColorCommand extends FileCommand {
         String stem = FileNames.stem(picture);
         String ending = picture.getFileName().toString().substring(stem.length());
         return new FileGroup(picture.resolveSibling(stem), List.of(ending, ".csv", ".json"), overwrite(output));
-    }
-
-    private static String joined(List<Patch> patches, Function<Patch, String> words) {
-        return patches.stream().map(words).collect(Collectors.joining("; "));
     }
 
     private Map<String, Object> describe(

@@ -32,17 +32,14 @@ public record UploadedTables(RenderContext context, ShaderTables tables, Map<Str
 
     private void upload(TableArray array) {
         ArrayLayout layout = array.layout();
-        FloatTexture texture = context.createFloatTexture(layout.sampler(), spec(layout));
+        var filter = layout.filtered() ? FloatTexture.Filter.LINEAR : FloatTexture.Filter.NEAREST;
+        FloatTexture.Spec spec = new FloatTexture.Spec(
+                layout.width(), layout.height(), layout.layers(), layout.layered(), format(layout.channels()), filter);
+        FloatTexture texture = context.createFloatTexture(layout.sampler(), spec);
         textures.put(layout.sampler(), texture);
         for (int layer = 0; layer < layout.layers(); layer++) {
             texture.uploadLayer(layer, array.layer(layer));
         }
-    }
-
-    private static FloatTexture.Spec spec(ArrayLayout layout) {
-        var filter = layout.filtered() ? FloatTexture.Filter.LINEAR : FloatTexture.Filter.NEAREST;
-        return new FloatTexture.Spec(
-                layout.width(), layout.height(), layout.layers(), layout.layered(), format(layout.channels()), filter);
     }
 
     private static FloatTexture.Format format(int channels) {

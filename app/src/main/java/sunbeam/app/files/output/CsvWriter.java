@@ -37,14 +37,11 @@ public final class CsvWriter {
             writer.write(String.join(",", names) + "\n");
             for (int number = 0; number < rows; number++) {
                 writer.write(Arrays.stream(row.apply(number))
-                        .mapToObj(CsvWriter::format)
+                        .mapToObj(
+                                value -> Double.isFinite(value) ? Text.format("%.12e", value) : Double.toString(value))
                         .collect(Collectors.joining(",", "", "\n")));
             }
             writer.flush();
         };
-    }
-
-    private static String format(double value) {
-        return Double.isFinite(value) ? Text.format("%.12e", value) : Double.toString(value);
     }
 }
