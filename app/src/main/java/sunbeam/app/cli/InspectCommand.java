@@ -74,11 +74,10 @@ public final class InspectCommand extends FileCommand {
         UsageException.throwIf(
                 json.isGiven() && OutputFolder.isStandardOutput(output),
                 "--json and --output - both want standard output; name a file for the picture");
-        PrintWriter err = err();
         PrintWriter out = out(output);
         AtomicFile.checkWritable(output, overwrite());
         Patch loaded = patchOptions.load(Choices.none());
-        Messages.printScan(loaded, loaded.warnings(), explain, err);
+        Messages.printScan(loaded, loaded.warnings(), explain, err());
         Path picture = writable(output, "inspect-" + loaded.name() + ".png");
         double theta = Math.toDegrees(light.choices().get(LightOptions.THETA_I));
         Inspection inspection = Inspection.of(loaded, theta, explain || json.isGiven());

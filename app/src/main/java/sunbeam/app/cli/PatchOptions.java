@@ -251,12 +251,10 @@ public final class PatchOptions extends SettingOptions {
 
         /** @throws InputException if a name is neither a built-in patch nor an existing file, or if a folder cannot be read or has no file */
         static List<String> of(List<String> names) {
-            for (String name : names) {
-                InputException.refuseIf(
-                        !BuiltInPatches.names().contains(name) && !new File(name).exists(),
-                        "'" + name
-                                + "' is neither a built-in patch nor an existing file; a name with blanks needs quotes");
-            }
+            names.forEach(name -> InputException.refuseIf(
+                    !BuiltInPatches.names().contains(name) && !new File(name).exists(),
+                    "'" + name
+                            + "' is neither a built-in patch nor an existing file; a name with blanks needs quotes"));
             return names.stream()
                     .flatMap(name -> isFolder(name) ? files(Path.of(name)).stream() : Stream.of(name))
                     .toList();

@@ -172,9 +172,7 @@ record FolderTable(boolean isGlsl) implements TableWriter {
         }
 
         private static void ints(ByteBuffer buffer, int... values) {
-            for (int value : values) {
-                buffer.putInt(value);
-            }
+            IntStream.of(values).forEach(buffer::putInt);
         }
 
         private byte[] keys() {

@@ -29,13 +29,11 @@ public final class OutputFolder {
 
     static final int MOST_NAMES = 10_000;
 
-    private static final Path STANDARD_OUTPUT = Path.of("-");
-
     private OutputFolder() {}
 
     /** True for {@code -}; a file of this name is {@code ./-}. */
     public static boolean isStandardOutput(Path target) {
-        return STANDARD_OUTPUT.equals(target);
+        return Path.of("-").equals(target);
     }
 
     public static String name(Path target) {

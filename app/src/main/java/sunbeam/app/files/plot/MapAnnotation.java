@@ -20,7 +20,6 @@ public final class MapAnnotation {
     // Orange and sky blue of Okabe and Ito (see PlotStyle).
     private static final Color LIGHT = new Color(0xE69F00);
     private static final Color MIRROR = new Color(0x56B4E9);
-    private static final Color RIM = Color.BLACK;
     private static final Color RING = new Color(255, 255, 255, 110);
     private static final Color RING_RIM = new Color(0, 0, 0, 110);
     private static final int SMALLEST_FONT = 9;
@@ -128,7 +127,7 @@ public final class MapAnnotation {
     /** Draws a line of a width, in a color with a dark rim; a width of 0 draws the rim alone and sets the color. */
     private static void rimmed(Graphics2D graphics, Shape shape, float width, Color color) {
         graphics.setStroke(new BasicStroke(Math.max(3, 2 * width), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        graphics.setColor(RIM);
+        graphics.setColor(Color.BLACK);
         graphics.draw(shape);
         graphics.setColor(color);
         if (width > 0) {

@@ -12,6 +12,7 @@ import java.text.DecimalFormatSymbols;
 import java.text.NumberFormat;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.DoubleStream;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.LogAxis;
@@ -177,9 +178,7 @@ public final class PlotStyle {
 
     private static TickUnits units(double... steps) {
         TickUnits units = new TickUnits();
-        for (double step : steps) {
-            units.add(new NumberTickUnit(step));
-        }
+        DoubleStream.of(steps).mapToObj(NumberTickUnit::new).forEach(units::add);
         return units;
     }
 
