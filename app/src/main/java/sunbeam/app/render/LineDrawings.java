@@ -33,7 +33,6 @@ public final class LineDrawings {
 
     private static final Color EDGE = new Color(0xd0d6e0);
     private static final Color NORMAL = new Color(0xffb040);
-    private static final float EDGE_WIDTH = 0.5f;
 
     /** Relative to the radius of the mesh's bounds. */
     private static final float NORMAL_LENGTH = 0.03f;
@@ -47,8 +46,7 @@ public final class LineDrawings {
     /** Draws strokes along the nanostructure's x axis from an even grid of dots on the skin, foreshortened; disposes of the graphics. */
     public static void strokes(Graphics2D graphics, SceneSession session, int width, int height) {
         float[] alongX = session.patchDirections(width, height);
-        Scene scene = session.scene();
-        double perPixel = scene.view().halfHeight(width, height) / (0.5 * height);
+        double perPixel = session.scene().view().halfHeight(width, height) / (0.5 * height);
         smooth(graphics);
         graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         Vector3f along = new Vector3f();
@@ -59,7 +57,7 @@ public final class LineDrawings {
                 if (along.lengthSquared() == 0) {
                     continue;
                 }
-                scene.view().camera().worldToCamera().transformDirection(along);
+                session.scene().view().camera().worldToCamera().transformDirection(along);
                 double fromX = x + 0.5;
                 double fromY = y + 0.5;
                 // At the point (X, Y, -1) of the picture's plane, a step of (a, b, c) moves it by (a + c X, b + c Y).
@@ -104,7 +102,7 @@ public final class LineDrawings {
         graphics.fillRect(0, 0, width, height);
         smooth(graphics);
         graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        graphics.setStroke(new BasicStroke(EDGE_WIDTH));
+        graphics.setStroke(new BasicStroke(0.5f));
         for (int triangle : triangles) {
             Point2D first = project(vertices, indices[3 * triangle], scale, width, height);
             Point2D second = project(vertices, indices[3 * triangle + 1], scale, width, height);

@@ -17,8 +17,6 @@ final class PackedShading implements AutoCloseable {
     static final float MISSING_COVERAGE = -1;
 
     private static final int CHANNELS = 4;
-    // Images of the target: radiance, centers of footprints, axes of footprints.
-    private static final int IMAGES = 3;
     // Pixels of a square follow one another, so that neighbors stay neighbors.
     private static final int SQUARE = 4;
 
@@ -29,7 +27,8 @@ final class PackedShading implements AutoCloseable {
     PackedShading(RenderContext context) {
         this.sources = context.createFloatTexture(
                 "sources", FloatTexture.Spec.flat(Packing.COLUMNS, Packing.ROWS, FloatTexture.Format.R32F));
-        var spec = new FloatTarget.Spec(Packing.COLUMNS, Packing.ROWS, IMAGES, false);
+        // Images: radiance, centers of footprints, axes of footprints.
+        var spec = new FloatTarget.Spec(Packing.COLUMNS, Packing.ROWS, 3, false);
         this.target = Resource.orClose(() -> context.createFloatTarget("packed radiance", spec), sources::close);
     }
 

@@ -52,12 +52,8 @@ public record SceneData(
         return shape.bodies().get(region);
     }
 
-    /** Returns notes and warnings about the patch, and about its size under the scene's method: one line each, with its name. */
-    public List<String> patchRemarks() {
-        return patchRemarks(scene, patch);
-    }
-
-    static List<String> patchRemarks(Scene scene, Patch patch) {
+    /** Returns notes and warnings about a patch, and about its size under the scene's method: one line each, with its name. */
+    public static List<String> patchRemarks(Scene scene, Patch patch) {
         Choices choices = scene.method().choices();
         Optional<String> limit =
                 ScanLimit.of(choices, patch).line().map(line -> line.in(choices.origin(COHERENCE_LENGTH)));

@@ -17,6 +17,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
+import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
@@ -232,7 +233,7 @@ public final class ControlPanel extends JTabbedPane {
         }
         plan = loaded.firstPart().method();
         remarks = loaded.parts().stream()
-                .flatMap(part -> part.patchRemarks().stream())
+                .flatMap(part -> SceneData.patchRemarks(part.scene(), part.patch()).stream())
                 .distinct()
                 .toList();
         patchCaption.setText(ControlOrigin.INSTANCE.name(PatchSettings.PATCH) + (remarks.isEmpty() ? "" : " (i)"));

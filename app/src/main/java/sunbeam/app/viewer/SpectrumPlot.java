@@ -23,7 +23,6 @@ import sunbeam.precompute.text.Text;
 public final class SpectrumPlot extends JComponent {
     private static final int MARGIN = 16;
     private static final int STRIP = 6;
-    private static final int BELOW = MARGIN + STRIP;
     /** Number of wavelengths of a spectrum, in equal steps from 380 to 780 nm. */
     public static final int COUNT = 81;
 
@@ -143,7 +142,7 @@ public final class SpectrumPlot extends JComponent {
         Graphics2D graphics = (Graphics2D) plain.create();
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        int bottom = getHeight() - BELOW;
+        int bottom = getHeight() - MARGIN - STRIP;
         paintStrip(graphics, bottom + 1);
         graphics.setColor(getForeground());
         graphics.setFont(getFont().deriveFont(10f));

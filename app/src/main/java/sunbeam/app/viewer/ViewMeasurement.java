@@ -166,12 +166,11 @@ public final class ViewMeasurement {
         if (latencies.isEmpty()) {
             return Text.format("no frame was shown in %.0f s", nanoseconds * 1e-9);
         }
-        PictureView view = viewer.window.picture;
         return Text.format(
                 "%d x %d pixels, 1:%s of columns and rows (median), %.1f frames per second, %.0f ms of processor time each, from input to"
                         + " screen %d ms (median), %d ms (95 %%), %d ms (longest); from the last frame (1:%s) to the final picture %s",
-                view.pictureWidth(),
-                view.pictureHeight(),
+                viewer.window.picture.pictureWidth(),
+                viewer.window.picture.pictureHeight(),
                 Decimals.format(quantile(divisors, 0.5)),
                 divisors.size() / (nanoseconds * 1e-9),
                 processor.toNanos() * 1e-6 / divisors.size(),

@@ -56,6 +56,7 @@ public final class ViewerWindow extends JFrame {
         lower.add(new JSeparator(), BorderLayout.NORTH);
         lower.add(below);
         JPanel side = new SidePanel();
+        side.setLayout(new BorderLayout());
         side.add(controls, BorderLayout.NORTH);
         side.add(lower);
         panel = new JScrollPane(
@@ -119,10 +120,6 @@ public final class ViewerWindow extends JFrame {
 
     /** Panel beside the picture that scrolls vertically if it needs more height, never horizontally. */
     private static final class SidePanel extends JPanel implements Scrollable {
-        private SidePanel() {
-            super(new BorderLayout());
-        }
-
         @Override
         public Dimension getPreferredScrollableViewportSize() {
             return getPreferredSize();

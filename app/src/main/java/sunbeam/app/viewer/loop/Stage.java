@@ -55,7 +55,6 @@ public interface Stage extends AutoCloseable {
         void drawn(Tile tile, BufferedImage part, double shareDone);
     }
 
-    /** Returns the name of OpenGL's renderer. */
     String renderer();
 
     /** Draws the first scene's body, before its patches and method are loaded; then nothing else has been drawn. */
