@@ -67,15 +67,10 @@ public final class SceneLoader {
     /**
      * Loads a scene's parts, one per patch and reflectance component, ordered by patch; the scene's picture is their sum.
      *
+     * @param shape the scene's {@link #shape}; may still be loading, since the patches mostly use one processor
      * @throws sunbeam.precompute.files.InputException if mesh, texture, map, index, patch or its descriptor cannot be used
      * @throws sunbeam.precompute.setting.SettingException if a choice about patch or method cannot be used; names its source
      */
-    public List<SceneData> parts(Scene scene) {
-        // In parallel with the patches, which mostly use one processor.
-        return parts(scene, BackgroundTask.start(() -> shape(scene)));
-    }
-
-    /** Loads a scene's parts with a {@link #shape} that may still be loading. */
     public List<SceneData> parts(Scene scene, BackgroundTask<SceneShape> shape) {
         try {
             List<Optional<ReflectanceComponent>> parts = reflectanceComponents(scene);

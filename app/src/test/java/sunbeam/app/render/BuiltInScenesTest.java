@@ -30,6 +30,7 @@ import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.MeshChecks;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.setting.Choices;
 
@@ -59,7 +60,7 @@ class BuiltInScenesTest extends InAScene {
         for (String name : names) {
             Scene scene = Scenes.load(name);
             try (SceneSession session =
-                    new SceneSession(context, loader.parts(scene).get(0))) {
+                    new SceneSession(context, loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene))).get(0))) {
                 double exposure = new PartSum(List.of(session))
                         .exposure(scene, 640, 480, TimedTiles.large(), () -> false)
                         .orElseThrow();
@@ -84,7 +85,7 @@ class BuiltInScenesTest extends InAScene {
                 .map(BuiltInScenesTest::byFull)
                 .sorted(Comparator.comparing((Scene scene) -> scene.patch().toString()))
                 .toList();
-        SceneData data = loader.parts(scenes.get(0)).get(0);
+        SceneData data = loader.parts(scenes.get(0), BackgroundTask.start(() -> loader.shape(scenes.get(0)))).get(0);
         try (SceneSession session = new SceneSession(context, data)) {
             for (Scene scene : scenes) {
                 data = loader.parts(scene, List.of(data), share -> {}).get(0);

@@ -32,6 +32,7 @@ import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Weights;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.DirectionPair;
@@ -75,12 +76,17 @@ public abstract class InAScene extends InAContext {
                 .with(SceneSettings.SHADOWS, shadows);
     }
 
+    protected final List<SceneData> parts(Scene scene) {
+        SceneLoader loader = loader();
+        return loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)));
+    }
+
     protected final SceneLoader loader() {
         return new SceneLoader(new Environment(Map.of(), folder), warnings::add);
     }
 
     protected final SceneData load(Scene scene) {
-        return loader().parts(scene).get(0);
+        return parts(scene).get(0);
     }
 
     protected final SceneSession session(Scene scene) {

@@ -197,7 +197,7 @@ class SceneSessionTest extends InAScene {
         String copper = "wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n";
         Path file = Files.writeString(folder.resolve("index.csv"), copper);
         Scene scene = blaze().with(SceneSettings.INDEX, SkinIndex.of(file.toString()));
-        List<SceneData> parts = loader().parts(scene);
+        List<SceneData> parts = parts(scene);
         try (SceneSession session = new SceneSession(context, parts.get(0))) {
             assertExact(session, sum(parts, SIZE, SIZE), pair -> exact(parts, pair), 0, 5, 20);
         }

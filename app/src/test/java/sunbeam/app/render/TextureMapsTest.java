@@ -162,7 +162,7 @@ class TextureMapsTest extends InAScene {
     }
 
     private float[] drawn(Scene scene) {
-        return sum(loader().parts(scene), WIDTH, HEIGHT).rgba();
+        return sum(parts(scene), WIDTH, HEIGHT).rgba();
     }
 
     private int regionAt(SceneSession session, int x, int y) {
@@ -190,7 +190,7 @@ class TextureMapsTest extends InAScene {
         int[] places = new int[2];
         int different = 0;
         try (SceneSession session =
-                new SceneSession(context, loader().parts(both).get(1))) {
+                new SceneSession(context, parts(both).get(1))) {
             for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
                 if (mixed[4 * pixel + 3] == 0) {
                     continue;
@@ -217,7 +217,7 @@ class TextureMapsTest extends InAScene {
     void blackAndWhiteMapsOfAllKindsAreRead(int type) throws IOException {
         Scene scene = scene(map(type, 0, 0, 0xffffff, 0xffffff), region(0, "blaze"), region(0xffffff, "lamellar"));
 
-        assertThat(loader().parts(scene))
+        assertThat(parts(scene))
                 .extracting(part -> part.patch().name())
                 .containsExactly("blaze", "lamellar");
     }
@@ -229,13 +229,13 @@ class TextureMapsTest extends InAScene {
         PatchAtlas.Region blue = region(BLUE, "lamellar");
         PatchAtlas.Region mean = region(0x7f007f, "lamellar");
 
-        assertThatThrownBy(() -> loader().parts(scene(map, red, blue)))
+        assertThatThrownBy(() -> parts(scene(map, red, blue)))
                 .isInstanceOf(InputException.class)
                 .hasMessageContainingAll(
                         map, "has #7f007f in column 0, row 1, which has no patch; known are #0000ff, #ff0000");
-        assertThatThrownBy(() -> loader().parts(scene(map, red, blue, mean, region(0x00ff00, "blaze"))))
+        assertThatThrownBy(() -> parts(scene(map, red, blue, mean, region(0x00ff00, "blaze"))))
                 .hasMessageContaining("has nowhere #00ff00");
-        assertThatThrownBy(() -> loader().parts(scene(folder + "/none.png", red)))
+        assertThatThrownBy(() -> parts(scene(folder + "/none.png", red)))
                 .hasMessageContaining("there is no patch map");
     }
 

@@ -26,6 +26,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ViewerInAWindow;
+import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.colortable.AtlasPages;
 import sunbeam.precompute.colortable.AtlasPages.TableLookUp;
 import sunbeam.precompute.colortable.ColorBaker;
@@ -107,7 +108,7 @@ class VirtualTextureTest {
                         .with(SceneSettings.ROUGHNESS, Math.toRadians(4)));
         SceneLoader loader =
                 new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), line -> {});
-        return loader.parts(scene).get(0).bakers().orElseThrow();
+        return loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene))).get(0).bakers().orElseThrow();
     }
 
     private static void bakeCoarsest(CachedBaker baker) {

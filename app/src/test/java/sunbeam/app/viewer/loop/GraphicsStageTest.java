@@ -28,6 +28,7 @@ import sunbeam.app.viewer.loop.Stage.MapRequest;
 import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.loop.StageSessions.FrameScale;
 import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.color.Srgb;
@@ -91,7 +92,7 @@ class GraphicsStageTest {
                         .with(SceneSettings.ROUGHNESS, Math.toRadians(2)));
         SceneLoader loader =
                 new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), line -> {});
-        stage.update(new ViewState(new LoadedScene(loader.parts(scene)), WIDTH, HEIGHT, false), () -> {});
+        stage.update(new ViewState(new LoadedScene(loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)))), WIDTH, HEIGHT, false), () -> {});
         await(stage, () -> stage.coarsestShare() == 1);
     }
 

@@ -26,6 +26,7 @@ import sunbeam.app.scene.SceneLight;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ViewerInAWindow;
 import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.work.BackgroundTask;
 
 /** Order of the render thread's work, with a simulated clock and a stage that draws nothing and lets events happen during its work. */
 final class RenderLoopTest {
@@ -40,11 +41,12 @@ final class RenderLoopTest {
     @BeforeAll
     static void load() {
         SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), line -> {});
-        SceneData one = loader.parts(ViewerInAWindow.scene()).get(0);
+        Scene scene = ViewerInAWindow.scene();
+        SceneData one = loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene))).get(0);
         // Equal scenes are different objects, as when the light moves.
         scenes = IntStream.range(0, 3)
                 .mapToObj(i -> one.scene().withLight(new SceneLight(new Vector3f(i, 0, 1).normalize(), 1, 0)))
-                .map(scene -> new LoadedScene(List.of(one.with(scene))))
+                .map(lit -> new LoadedScene(List.of(one.with(lit))))
                 .toList();
     }
 
