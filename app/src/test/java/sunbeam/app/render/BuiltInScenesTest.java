@@ -59,8 +59,10 @@ class BuiltInScenesTest extends InAScene {
                 new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), warnings::add);
         for (String name : names) {
             Scene scene = Scenes.load(name);
-            try (SceneSession session =
-                    new SceneSession(context, loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene))).get(0))) {
+            try (SceneSession session = new SceneSession(
+                    context,
+                    loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)))
+                            .get(0))) {
                 double exposure = new PartSum(List.of(session))
                         .exposure(scene, 640, 480, TimedTiles.large(), () -> false)
                         .orElseThrow();
@@ -85,7 +87,8 @@ class BuiltInScenesTest extends InAScene {
                 .map(BuiltInScenesTest::byFull)
                 .sorted(Comparator.comparing((Scene scene) -> scene.patch().toString()))
                 .toList();
-        SceneData data = loader.parts(scenes.get(0), BackgroundTask.start(() -> loader.shape(scenes.get(0)))).get(0);
+        SceneData data = loader.parts(scenes.get(0), BackgroundTask.start(() -> loader.shape(scenes.get(0))))
+                .get(0);
         try (SceneSession session = new SceneSession(context, data)) {
             for (Scene scene : scenes) {
                 data = loader.parts(scene, List.of(data), share -> {}).get(0);

@@ -189,8 +189,7 @@ class TextureMapsTest extends InAScene {
 
         int[] places = new int[2];
         int different = 0;
-        try (SceneSession session =
-                new SceneSession(context, parts(both).get(1))) {
+        try (SceneSession session = new SceneSession(context, parts(both).get(1))) {
             for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
                 if (mixed[4 * pixel + 3] == 0) {
                     continue;
@@ -217,9 +216,7 @@ class TextureMapsTest extends InAScene {
     void blackAndWhiteMapsOfAllKindsAreRead(int type) throws IOException {
         Scene scene = scene(map(type, 0, 0, 0xffffff, 0xffffff), region(0, "blaze"), region(0xffffff, "lamellar"));
 
-        assertThat(parts(scene))
-                .extracting(part -> part.patch().name())
-                .containsExactly("blaze", "lamellar");
+        assertThat(parts(scene)).extracting(part -> part.patch().name()).containsExactly("blaze", "lamellar");
     }
 
     @Test
@@ -235,8 +232,7 @@ class TextureMapsTest extends InAScene {
                         map, "has #7f007f in column 0, row 1, which has no patch; known are #0000ff, #ff0000");
         assertThatThrownBy(() -> parts(scene(map, red, blue, mean, region(0x00ff00, "blaze"))))
                 .hasMessageContaining("has nowhere #00ff00");
-        assertThatThrownBy(() -> parts(scene(folder + "/none.png", red)))
-                .hasMessageContaining("there is no patch map");
+        assertThatThrownBy(() -> parts(scene(folder + "/none.png", red))).hasMessageContaining("there is no patch map");
     }
 
     @Test

@@ -160,8 +160,9 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
                 double step = 2 * GROUND_REACH * radius / GROUND_SIDE;
                 double height = ground(mesh);
                 for (int i = 0; i < shares.ofGround.length; i++) {
+                    int row = i / GROUND_SIDE;
                     double x = middle.x + step * (i % GROUND_SIDE + 0.5 - GROUND_SIDE / 2.0);
-                    double y = middle.y + step * (i / GROUND_SIDE + 0.5 - GROUND_SIDE / 2.0);
+                    double y = middle.y + step * (row + 0.5 - GROUND_SIDE / 2.0);
                     if (sees(new Vector3d(x, y, height))) {
                         shares.ofGround[i] += (float) (direction.z / zSum);
                     }

@@ -108,7 +108,10 @@ class VirtualTextureTest {
                         .with(SceneSettings.ROUGHNESS, Math.toRadians(4)));
         SceneLoader loader =
                 new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), line -> {});
-        return loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene))).get(0).bakers().orElseThrow();
+        return loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)))
+                .get(0)
+                .bakers()
+                .orElseThrow();
     }
 
     private static void bakeCoarsest(CachedBaker baker) {

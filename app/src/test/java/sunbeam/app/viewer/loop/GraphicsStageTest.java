@@ -92,7 +92,13 @@ class GraphicsStageTest {
                         .with(SceneSettings.ROUGHNESS, Math.toRadians(2)));
         SceneLoader loader =
                 new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), line -> {});
-        stage.update(new ViewState(new LoadedScene(loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)))), WIDTH, HEIGHT, false), () -> {});
+        stage.update(
+                new ViewState(
+                        new LoadedScene(loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)))),
+                        WIDTH,
+                        HEIGHT,
+                        false),
+                () -> {});
         await(stage, () -> stage.coarsestShare() == 1);
     }
 

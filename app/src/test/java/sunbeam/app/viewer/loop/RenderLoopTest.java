@@ -42,7 +42,8 @@ final class RenderLoopTest {
     static void load() {
         SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), line -> {});
         Scene scene = ViewerInAWindow.scene();
-        SceneData one = loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene))).get(0);
+        SceneData one = loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)))
+                .get(0);
         // Equal scenes are different objects, as when the light moves.
         scenes = IntStream.range(0, 3)
                 .mapToObj(i -> one.scene().withLight(new SceneLight(new Vector3f(i, 0, 1).normalize(), 1, 0)))
