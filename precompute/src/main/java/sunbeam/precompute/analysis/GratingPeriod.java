@@ -254,8 +254,7 @@ public record GratingPeriod(
         if (isExact()) {
             return line + " degrees: the patch repeats";
         }
-        double turn = Math.max(0.1, Math.toDegrees(azimuthHalfWidth));
         String evidence = " +- %.1f degrees; seen %.1f times, %.0f %% of the relevant variance";
-        return line + Text.format(evidence, turn, periods, 100 * share);
+        return line + Text.format(evidence, Math.max(0.1, Math.toDegrees(azimuthHalfWidth)), periods, 100 * share);
     }
 }

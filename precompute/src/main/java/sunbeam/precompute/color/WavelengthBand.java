@@ -63,8 +63,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
 
     @Override
     public String toString() {
-        double width = lastNanometers - firstNanometers;
-        return width <= LINE_NANOMETERS + 1e-6
+        return lastNanometers - firstNanometers <= LINE_NANOMETERS + 1e-6
                 ? number(0.5 * (firstNanometers + lastNanometers)) + "nm"
                 : number(firstNanometers) + "nm.." + number(lastNanometers) + "nm";
     }

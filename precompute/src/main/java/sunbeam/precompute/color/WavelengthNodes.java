@@ -43,8 +43,7 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
      */
     public static WavelengthNodes uniform(CieTable cie, double stepMeters) {
         if (!cie.isSmooth()) {
-            double ofWaveNumber = stepMeters / (CieTable.MINIMUM_WAVELENGTH * CieTable.MINIMUM_WAVELENGTH);
-            return integrated(cie, 0.5 * ofWaveNumber);
+            return integrated(cie, 0.5 * stepMeters / (CieTable.MINIMUM_WAVELENGTH * CieTable.MINIMUM_WAVELENGTH));
         }
         double band = CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH;
         int intervals = Math.max(1, (int) Math.ceil(band / stepMeters - 1e-9));
@@ -158,9 +157,8 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
                     add(middle + half * rule.getPoint(g), half * rule.getWeight(g) / cie.integralOfY());
                 }
             }
-            int last = weights.length - 1;
             double[] wavelengths = new double[weights.length];
-            Arrays.setAll(wavelengths, i -> wavelength(first + (last - i - BEFORE) * step));
+            Arrays.setAll(wavelengths, i -> wavelength(first + (weights.length - 1 - i - BEFORE) * step));
             Collections.reverse(Arrays.asList(weights));
             return new WavelengthNodes(wavelengths, weights);
         }

@@ -80,8 +80,7 @@ public final class RadialBaker implements ColorBaker {
     /** Returns the power at a wavelength in meters, relative to that of a flat mirror in specular direction. */
     public double power(double u, double v, double w, double wavelength) {
         // The truncated sum may be slightly negative in dark directions.
-        double[] terms = powers.new Sums().at(u / wavelength, v / wavelength);
-        return Math.max(0, direct.power(terms, wavelength, Math.abs(w)));
+        return Math.max(0, direct.power(powers.new Sums().at(u / wavelength, v / wavelength), wavelength, Math.abs(w)));
     }
 
     @Override

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 
 /** Folder of an untrusted file, which may name no files elsewhere. */
 public record OwnFolder(Path owner, String kind) {
-
     /** Resolves a name; the file need not exist. Throws IllegalArgumentException if it is invalid or leads out. */
     public Path file(String name) {
         Path relative;

@@ -64,7 +64,6 @@ public record ReferenceMethod(GaussianArea area, Optional<Replicas> replicas) im
         return this;
     }
 
-    /** Returns the exact diffracted light of a patch. */
     public ExactLight light(HeightMap map, CieTable cie) {
         return replicas.<ExactLight>map(all -> new ReplicaLight(map, all, cie)).orElseGet(() -> area.over(map, cie));
     }

@@ -37,8 +37,7 @@ public record CoherenceWindow(double sigmaMeters) {
      * scattered by waves longer than both 5 um and two periods of the surface (meters; 0 if none is known).
      */
     public double mirrorReach(double period) {
-        double longest = Math.max(LONGEST_WAVE, 2 * period);
-        return Math.max(specularReach(LONGEST_WAVELENGTH), LONGEST_WAVELENGTH / longest);
+        return Math.max(specularReach(LONGEST_WAVELENGTH), LONGEST_WAVELENGTH / Math.max(LONGEST_WAVE, 2 * period));
     }
 
     public enum WindowOrigin {

@@ -29,7 +29,6 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
         return CoherenceWindow.ofCoherenceLength(choices.get(MethodSettings.COHERENCE_LENGTH));
     }
 
-    /** Returns the exact diffracted light of a patch, evaluated by direct sums. */
     public ExactLight over(HeightMap map, CieTable cie) {
         return new ExactLight.WindowLight(
                 new ReferenceEvaluator(map, window, origin), cie, average == Average.ENSEMBLE);

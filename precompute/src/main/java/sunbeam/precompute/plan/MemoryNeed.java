@@ -29,8 +29,9 @@ public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
         Band bandY = plan.bandY();
         long table = TERM_BYTES * plan.expansion().terms() * bandX.count() * bandY.count();
         // A pair of real terms is transformed in one symmetric band, up to twice as wide along each axis.
-        long lines = (long) rows + bandY.symmetric().count();
-        long transform = COMPLEX_BYTES * lines * bandX.symmetric().count();
+        long transform = COMPLEX_BYTES
+                * ((long) rows + bandY.symmetric().count())
+                * bandX.symmetric().count();
         return new MemoryNeed(table + Math.max(transform, plan.sampling().workBytes(plan)), plan.layouts(use));
     }
 

@@ -149,7 +149,6 @@ public final class MethodSettings {
                     "Color matching functions: cie1931 (2 degrees) or cie1964 (10 degrees).")
             .withStandard(Observer.CIE1931);
 
-    /** Settings of the light and the observer. */
     public static final List<Setting<?>> LIGHT = List.of(ILLUMINANT, WAVELENGTHS, OBSERVER);
 
     private MethodSettings() {}

@@ -86,10 +86,9 @@ public final class ScanFaults {
                 .filter(Double::isFinite)
                 .toArray();
         double median = median(Arrays.stream(differences));
-        double mean = Arrays.stream(differences).average().orElse(Double.NaN);
         double spread =
                 Spikes.GAUSSIAN * median(Arrays.stream(differences).map(difference -> Math.abs(difference - median)));
-        return new Offset(row, median, mean, spread);
+        return new Offset(row, median, Arrays.stream(differences).average().orElse(Double.NaN), spread);
     }
 
     private static double median(DoubleStream values) {

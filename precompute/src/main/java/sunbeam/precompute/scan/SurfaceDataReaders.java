@@ -89,9 +89,8 @@ final class SurfaceDataReaders {
             case SIGNED_32 -> Integer.MIN_VALUE;
             default -> Double.NaN;
         };
-        Samples samples =
-                Samples.of(file, BINARY_HEADER_BYTES, columns, rows, type).withMissing(missing);
-        return channel(samples, pitchX, pitchY, scale);
+        Samples stored = Samples.of(file, BINARY_HEADER_BYTES, columns, rows, type);
+        return channel(stored.withMissing(missing), pitchX, pitchY, scale);
     }
 
     private static ScanChannel channel(Samples samples, double pitchX, double pitchY, double scale) {

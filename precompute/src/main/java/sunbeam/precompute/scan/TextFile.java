@@ -44,8 +44,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         byte[] bytes = file.head(LONGEST_HEADER);
         Charset charset = charset(bytes);
         String head = withoutCutWord(new String(bytes, charset), bytes.length < file.size());
-        boolean isText = head.chars().allMatch(c -> c >= ' ' || "\t\n\r\f".indexOf(c) >= 0);
-        if (head.isEmpty() || !isText) {
+        if (head.isEmpty() || head.chars().anyMatch(c -> c < ' ' && "\t\n\r\f".indexOf(c) < 0)) {
             return Optional.empty();
         }
         List<String> header = new ArrayList<>();

@@ -162,8 +162,7 @@ public final class TextReader {
             boolean[] taken = new boolean[heights.length];
             Arrays.fill(heights, Double.NaN);
             for (int i = 0; i < x.length; i++) {
-                int row = axisY.count - 1 - axisY.index(y[i]);
-                int cell = row * axisX.count + axisX.index(x[i]);
+                int cell = (axisY.count - 1 - axisY.index(y[i])) * axisX.count + axisX.index(x[i]);
                 if (taken[cell]) {
                     throw new ScanException(Text.format(
                             "has two points at x = %s, y = %s; export the scan as a matrix or as .gwy", x[i], y[i]));

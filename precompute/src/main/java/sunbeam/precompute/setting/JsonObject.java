@@ -161,8 +161,10 @@ public final class JsonObject {
 
     public List<JsonObject> objects(String key, int most) {
         JsonNode list = find(key).orElseGet(JSON::createArrayNode);
-        boolean fits = list.isArray() && list.size() <= most;
-        require(fits, key, "must be a list of at most " + most + " objects, [ { ... } ]");
+        require(
+                list.isArray() && list.size() <= most,
+                key,
+                "must be a list of at most " + most + " objects, [ { ... } ]");
         return IntStream.range(0, list.size())
                 .mapToObj(i -> inner(key, list.get(i), place.appendProperty(key).appendIndex(i)))
                 .toList();
@@ -233,8 +235,12 @@ public final class JsonObject {
             case TEXT -> text(key, value);
             case QUANTITY -> {
                 String text = quantity(key, value, Function.identity());
-                String problem = " has no unit; give " + setting.kind().range();
-                require(Decimals.parse(text).isEmpty(), key, Text.quoted(text) + problem);
+                boolean hasUnit = Decimals.parse(text).isEmpty();
+                require(
+                        hasUnit,
+                        key,
+                        Text.quoted(text) + " has no unit; give "
+                                + setting.kind().range());
                 yield text;
             }
             case FLAG -> {

@@ -204,9 +204,8 @@ public record LowRankExpansion(
             }
             DoubleStream.Builder heights = DoubleStream.builder();
             DoubleStream.Builder shares = DoubleStream.builder();
-            double samples = levels.map().heights().length;
             for (Interval interval : intervals) {
-                interval.addTo(heights, shares, samples);
+                interval.addTo(heights, shares, levels.map().heights().length);
             }
             return new HeightRule(heights.build().toArray(), shares.build().toArray());
         }

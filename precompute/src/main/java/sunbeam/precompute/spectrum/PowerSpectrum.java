@@ -114,8 +114,7 @@ public record PowerSpectrum(
 
     private PowerSpectrum decimatedX(int factor) {
         int first = Math.floorDiv(x.first, factor) - BEFORE;
-        int last = Math.floorDiv(x.last(), factor) + POINTS - BEFORE;
-        int count = last - first + 1;
+        int count = Math.floorDiv(x.last(), factor) + POINTS - BEFORE - first + 1;
         int stride = stride();
         double[] sums = new double[Math.multiplyExact(Math.multiplyExact(y.count, count), stride)];
         double[][] weights = IntStream.range(0, factor)

@@ -17,8 +17,7 @@ public final class Angles {
     public static double parse(String text) {
         String value = text.strip().toLowerCase(Locale.ROOT).replaceFirst("\u00b0$", "deg");
         boolean radians = value.endsWith("rad");
-        boolean hasUnit = radians || value.endsWith("deg");
-        String digits = hasUnit ? value.substring(0, value.length() - UNIT_LENGTH) : value;
+        String digits = radians || value.endsWith("deg") ? value.substring(0, value.length() - UNIT_LENGTH) : value;
         double number = Decimals.parse(digits)
                 .orElseThrow(() -> new IllegalArgumentException(
                         Text.quoted(text) + " is no angle; give degrees as in 30deg, or radians as in 0.5rad"

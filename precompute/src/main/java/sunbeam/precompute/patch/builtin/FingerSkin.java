@@ -116,10 +116,9 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         }
         if (cover < 1) {
             double placeBelow = place(x - layout.lean() * (down + strip.lengthBelow()));
-            double notch = shape.notch(shape.length() * strip.length() - down);
             double under = shape.under(FingerRow.at(strip.lower().phi(), placeBelow), t)
                     + FingerRow.at(strip.lower().lift(), placeBelow);
-            height += (1 - cover) * (under - notch);
+            height += (1 - cover) * (under - shape.notch(shape.length() * strip.length() - down));
         }
         return height;
     }
