@@ -33,9 +33,8 @@ public record ScenePicture(int width, int height, float[] rgba) {
     /** Copies a tile into this picture, its top left pixel to column x and row y. */
     public void put(ScenePicture part, int x, int y) {
         for (int row = 0; row < part.height; row++) {
-            int from = CHANNELS * row * part.width;
             int to = CHANNELS * ((y + row) * width + x);
-            System.arraycopy(part.rgba, from, rgba, to, CHANNELS * part.width);
+            System.arraycopy(part.rgba, CHANNELS * row * part.width, rgba, to, CHANNELS * part.width);
         }
     }
 
@@ -44,8 +43,7 @@ public record ScenePicture(int width, int height, float[] rgba) {
         ScenePicture small = empty(width / factor, height / factor);
         for (int row = 0; row < small.height; row++) {
             for (int column = 0; column < small.width; column++) {
-                int corner = factor * (row * width + column);
-                small.setMean(row * small.width + column, this, corner, factor, factor);
+                small.setMean(row * small.width + column, this, factor * (row * width + column), factor, factor);
             }
         }
         return small;

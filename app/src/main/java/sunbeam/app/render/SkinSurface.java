@@ -131,11 +131,10 @@ final class SkinSurface implements AutoCloseable {
 
     /** Sets the uniforms of shaders/include/footprint.glsl. Fine relief widens footprints unless the table's levels include it. */
     private static void setFootprints(ShaderProgram program, ColorTable table, Scene scene) {
-        boolean hasRelief = table.slopeDeviation() > 0;
         program.set("finestVariance", (float) Math.pow(table.finestSigma(), 2));
         program.set("pointVariance", (float) Math.pow(table.sigma(), 2));
         program.set("tabulatedSlopeVariance", (float) Math.pow(table.slopeDeviation(), 2));
-        program.set("slopeVariance", hasRelief ? 0 : (float) Math.pow(scene.slopeDeviation(), 2));
+        program.set("slopeVariance", table.slopeDeviation() > 0 ? 0 : (float) Math.pow(scene.slopeDeviation(), 2));
         program.set("pointLevels", (float) table.pointLevelCount());
         program.set("levels", table.levels().size() - table.pointLevelCount());
     }
