@@ -89,7 +89,7 @@ public final class DoctorCommand extends ReportingCommand {
         }
 
         private String text() {
-            // As wide as the longest name, that of the operating system.
+            // The second column fits the longest name, that of the operating system.
             return Text.format("%-4s  %-16s  %s", remedy.isEmpty() ? "ok" : "FAIL", name, value)
                     + remedy.map(words -> System.lineSeparator() + " ".repeat(24) + words)
                             .orElse("");

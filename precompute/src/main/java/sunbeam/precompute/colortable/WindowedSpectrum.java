@@ -28,7 +28,7 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
         private final double ratio;
         private final double reach;
         private final double factorStep;
-        /** Of these the first {@link #count} are valid, those of the bins from {@link #first} on. */
+        /** The first {@link #count} are valid: they belong to the bins from {@link #first} on. */
         final double[] weights;
 
         int first;

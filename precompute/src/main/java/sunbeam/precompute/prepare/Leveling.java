@@ -22,7 +22,7 @@ public enum Leveling {
 
     // Relative to the relief; a sum over millions of samples rounds less.
     private static final double ROUNDING = 1e-14;
-    // Of the terms of a polynomial.
+    // The terms of a polynomial have these exponents.
     private static final int[] POWERS_OF_X = {0, 1, 0, 2, 1, 0};
     private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
     private static final int HIGHEST = 2;

@@ -74,7 +74,7 @@ public final class Sunbeam {
             commandLine.setParameterExceptionHandler((failure, all) -> failures.report(failure));
             commandLine.setExecutionExceptionHandler((failure, command, result) -> failures.report(failure));
             commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed, root.quiet));
-            // By U+FFFD Java replaces bytes that are not UTF-8: a file of this name would be another one.
+            // Java replaces bytes that are not UTF-8 by U+FFFD: a file of this name would be another one.
             plain.forEach(argument -> UsageException.throwIf(
                     argument.contains("\ufffd"),
                     "the argument '" + argument + "' is not text in UTF-8; give the file a name that is"));

@@ -22,7 +22,7 @@ final class VertexAssembly {
 
     private final RawMesh mesh;
     private final boolean alwaysRightHanded;
-    // Of the triangles around each position, 3 values each.
+    // Sums over the triangles around each position; each has 3 values.
     private final float[] normalSums;
     private final int[] indices;
     private final Map<Vertex, Integer> numbers = new HashMap<>();

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.cli.program.Sunbeam.Failures;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.Environment;
@@ -30,7 +31,6 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.app.cli.CommandLineFixture;
 
 final class SunbeamTest extends CommandLineFixture {
     private int run(Map<String, String> variables, String... arguments) {

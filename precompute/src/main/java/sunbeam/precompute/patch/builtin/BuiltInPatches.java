@@ -17,7 +17,7 @@ public final class BuiltInPatches {
     private static final int COLUMNS = 128;
     // Rows are equal and 78 nm apart, finer than a quarter of 380 nm.
     private static final int ROWS = 32;
-    // Of a bump: meters, and samples that it takes.
+    // A bump has this height and pitch (meters), and takes so many samples.
     private static final double BUMP_HEIGHT = 150e-9;
     private static final double BUMP_PITCH = 62.5e-9;
     private static final int BUMP_COLUMNS = 8;
