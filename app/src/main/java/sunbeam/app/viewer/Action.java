@@ -20,7 +20,7 @@ import sunbeam.app.viewer.FileActions.Kind;
 import sunbeam.app.viewer.ScenePresenter.Overlay;
 import sunbeam.app.viewer.model.Drags;
 
-/** Key actions, from which menus, key bindings and help derive; HelpTest compares docs/viewer.md with them. */
+/** Key actions, from which menus, key bindings and help derive; ActionsTest compares docs/viewer.md with them. */
 @SuppressWarnings("ImmutableEnumChecker") // rows of texts, and lambdas without state
 enum Action {
     TURN(

@@ -58,11 +58,13 @@ public enum Interpolation {
     /** Returns the weights of four coefficients at t, 0..1, from the second to the third. */
     double[] weights(double t) {
         double s = 1 - t;
-        return this == CUBIC
-                ? new double[] {
+        return switch (this) {
+            case CUBIC ->
+                new double[] {
                     s * s * s / 6, 2.0 / 3 - 0.5 * t * t * (2 - t), 2.0 / 3 - 0.5 * s * s * (2 - s), t * t * t / 6
-                }
-                : new double[] {0, s, t, 0};
+                };
+            case SHIFTED_LINES -> new double[] {0, s, t, 0};
+        };
     }
 
     /**

@@ -40,7 +40,7 @@ public final class LevelBaking {
         this.grid = grid;
         this.largestBatch = largestBatch;
         this.numbers = numbers;
-        this.inputSide = STORED_SIDE + MARGIN + (grid.interpolation() == Interpolation.CUBIC ? MARGIN : 0);
+        this.inputSide = STORED_SIDE + MARGIN + (grid.interpolation() == Interpolation.SHIFTED_LINES ? 0 : MARGIN);
     }
 
     public static long sampleBytes(long tiles) {
