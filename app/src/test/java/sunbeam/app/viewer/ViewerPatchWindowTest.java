@@ -92,11 +92,13 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         refused("image.json", descriptor("image.json", "3 um"), "image.json");
         Path folderItself = Files.createDirectory(folder.resolve("folder.json"));
         Path saved = folder.resolve("saved.png");
+        load(folderItself);
+        awaitComplaint("folder.json", "folder.json");
+        // The complaint is soon replaced by "saved", so it is not awaited here.
         onEvents(() -> {
             viewer.files.loadPatch(folderItself);
             viewer.files.savePicture(saved);
         });
-        awaitComplaint("folder.json", "folder.json");
         await(() -> Files.exists(saved));
         awaitFinal();
         assertThat(modelScene()).isEqualTo(scene());
