@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -87,7 +88,8 @@ public final class MeshCommand extends FileCommand {
         int triangles = read.mesh().triangles();
         PrintWriter out = out(target);
         if (json.isGiven()) {
-            json.print(out, Map.of("mesh", mesh, "vertices", vertices, "triangles", triangles), List.of(written));
+            Map<String, ?> report = Map.of("mesh", mesh, "vertices", vertices, "triangles", triangles);
+            json.print(out, new TreeMap<>(report), List.of(written));
         } else {
             out.println(OutputFolder.name(written) + ": " + MeshSource.count(vertices, "vertex") + ", "
                     + MeshSource.count(triangles, "triangle"));

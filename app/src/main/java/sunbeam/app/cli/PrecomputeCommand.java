@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import picocli.CommandLine.Command;
@@ -92,12 +93,12 @@ public final class PrecomputeCommand extends FileCommand {
         BufferedImage image = images.draw();
         double[] largest = new double[extremes[0].length];
         Arrays.setAll(largest, images::largest);
-        Map<String, String> text = Map.of(
+        Map<String, String> text = new TreeMap<>(Map.of(
                 "Title", "Fourier images of " + patch.name(),
                 "Patch", patch.source(),
-                "Extremes", Arrays.toString(largest));
+                "Extremes", Arrays.toString(largest)));
         Path written = PngWriter.write(picture, overwrite(), image, text);
-        json.print(out(picture), Map.of("patch", patch.name(), "powers", powers), List.of(written));
+        json.print(out(picture), new TreeMap<>(Map.of("patch", patch.name(), "powers", powers)), List.of(written));
         return ExitCode.OK.code();
     }
 

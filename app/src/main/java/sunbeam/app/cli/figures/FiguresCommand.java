@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
@@ -102,14 +103,14 @@ public final class FiguresCommand extends FileCommand {
         drawings.forEach((figure, own) -> {
             figure.check().verdict(own).ifPresent(verdict -> {
                 json.text(out()).println(figure.number() + " " + verdict);
-                verdicts.add(
-                        Map.of("figure", figure.number(), "agrees", verdict.agrees(), "measured", verdict.numbers()));
+                verdicts.add(new TreeMap<>(
+                        Map.of("figure", figure.number(), "agrees", verdict.agrees(), "measured", verdict.numbers())));
             });
             own.forEach(drawing -> numbers.addAll(drawing.numbers()));
         });
         numbers.forEach(row ->
                 json.text(out()).println(Text.format("%s, %s: thesis %s, here %s, difference %s", row.toArray())));
-        json.print(out(), Map.of("verdicts", verdicts, "table", numbers), List.of(output.resolve(PAGE)));
+        json.print(out(), new TreeMap<>(Map.of("verdicts", verdicts, "table", numbers)), List.of(output.resolve(PAGE)));
         return code;
     }
 

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
@@ -130,8 +131,8 @@ public final class CompareCommand extends FileCommand {
                 + photograph.height() + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
         String caption = SceneWriter.caption(scene);
         String lines = String.join("\n", comparison.lines());
-        Map<String, String> text =
-                Map.of("Title", "Photograph and scene", "Photograph", sizes, "Scene", caption, "Comparison", lines);
+        Map<String, String> text = new TreeMap<>(
+                Map.of("Title", "Photograph and scene", "Photograph", sizes, "Scene", caption, "Comparison", lines));
         Path written = PngWriter.write(target, overwrite(output), sheet, text);
         Map<String, Object> values = new LinkedHashMap<>(Map.of("photograph", sizes));
         values.putAll(comparison.values());

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
@@ -197,7 +198,7 @@ public final class RenderCommand extends FileCommand {
         MeshSource.Loaded mesh = scene.mesh().load();
         mesh.warnings().forEach(warning -> err().println(Messages.warning(warning)));
         BufferedImage image = LineDrawings.wireframe(scene, mesh.mesh(), overlays.strokes, size.width(), size.height());
-        Map<String, String> text = Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene));
+        Map<String, String> text = new TreeMap<>(Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene)));
         Path written = PngWriter.write(file, overwrite(output), image, text);
         json.print(out(file), Map.of("scene", sceneName), List.of(written));
         return ExitCode.OK.code();
