@@ -7,7 +7,6 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -15,7 +14,6 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.special.BesselJ;
 import org.assertj.core.data.Percentage;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.errors.Comparison;
@@ -159,9 +157,7 @@ class BuiltInPatchesTest extends InOneWorkplace {
             double expected = Math.pow(BesselJ.value(Math.abs(row - 2), phase), 2);
             Percentage allowed = Percentage.withPercentage(100 * tolerance);
             assertThat(results.at(row, "power")).as("order %d", row - 2).isCloseTo(expected, allowed);
-            assertThat(ensemble.at(row, ofAverage(ensemble, "ensemble")))
-                    .as("order %d", row - 2)
-                    .isCloseTo(expected, allowed);
+            assertThat(ensemble.at(row, "power")).as("order %d", row - 2).isCloseTo(expected, allowed);
         }
     }
 
@@ -188,29 +184,5 @@ class BuiltInPatchesTest extends InOneWorkplace {
         assertThat(color.at(0, "Y")).isCloseTo(1, allowed);
         assertThat(color.at(0, "Z")).isCloseTo(1.0888, within(3e-4));
         assertThat(color.at(0, "gain")).isCloseTo(1, allowed);
-    }
-
-    @Test
-    void otherColumnsAreIgnoredAndAngleColumnsMayStandInAnyOrder() throws Exception {
-        Files.writeString(
-                workplace.resolve("in.csv"),
-                "note,wavelength,phi_r,theta_r,phi_i,theta_i\nfirst order,550,180,12.709,0,0\n");
-
-        SunbeamResult result = workplace.succeedHere(
-                "reflectance --patch blaze --method reference --directions in.csv --output out.csv");
-
-        assertThat(result.stdout()).isEqualTo("out.csv\n");
-        assertThat(result.stderr()).isEmpty();
-        CsvFile results = CsvFile.read(workplace.resolve("out.csv"));
-        assertThat(results.size()).isEqualTo(1);
-        assertThat(results.at(0, "theta_r")).isEqualTo(12.709);
-        // sinc^2(k w H / 2 pi - 1) of the ramp: 0.9 or more, with H = 250 nm
-        assertThat(results.at(0, "power")).isGreaterThan(0.9);
-    }
-
-    /** Returns the column of the chosen average's power. */
-    private static String ofAverage(CsvFile results, String average) {
-        String own = "power_" + average;
-        return results.header().contains(own) ? own : "power";
     }
 }

@@ -15,7 +15,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** How the launcher starts the program, and the private screen that it gives it and removes afterwards. */
 class LauncherStartTest extends InSandbox {
-    private static final int NO_SCREEN = 5;
     private static final Duration PATIENCE = Duration.ofSeconds(60);
 
     @ParameterizedTest
@@ -106,7 +105,7 @@ class LauncherStartTest extends InSandbox {
 
     @Test
     void theViewerWithoutAScreenSaysThatItNeedsOne() throws Exception {
-        SunbeamResult result = command("view", "--patch", "blaze").run().ended(NO_SCREEN);
+        SunbeamResult result = command("view", "--patch", "blaze").run().ended(SunbeamResult.NO_GRAPHICS);
         assertThat(result.stdout()).isEmpty();
         assertThat(result.stderr())
                 .startsWith("sunbeam: the viewer needs a screen")
@@ -144,13 +143,6 @@ class LauncherStartTest extends InSandbox {
         private Path socket() {
             return Path.of("/tmp/.X11-unix/X" + display);
         }
-    }
-
-    @Test
-    void theRealProgramAnswersHelpWithoutBuilding() throws Exception {
-        SunbeamResult result =
-                Sunbeam.command("--help").without("DISPLAY").in(folder).run().ended(0);
-        assertThat(result.stderr()).as("%s", result).isEmpty();
     }
 
     @Test

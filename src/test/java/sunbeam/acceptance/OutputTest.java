@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.Callable;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -54,11 +55,9 @@ class OutputTest extends InWorkplace {
 
     private long brightness(String name) throws IOException {
         var image = ImageIO.read(workplace.resolve(name).toFile());
-        long sum = 0;
-        for (int i = 0; i < image.getWidth() * image.getHeight(); i++) {
-            sum += image.getRGB(i % image.getWidth(), i / image.getWidth()) & 0xff;
-        }
-        return sum;
+        return IntStream.of(image.getRGB(0, 0, 9, 9, null, 0, 9))
+                .map(rgb -> rgb & 0xff)
+                .sum();
     }
 
     @Test

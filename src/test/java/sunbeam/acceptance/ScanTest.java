@@ -7,7 +7,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,48 +15,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Periods of gratings, and files of instruments that lack units or are damaged. */
 class ScanTest extends InWorkplace {
-    private JsonNode inspect(Object patch, String options) throws Exception {
-        return workplace.json("inspect --json --output sheet.png --patch %s" + options, patch);
-    }
-
-    /** A periodic height map has a whole number of periods. */
-    @ParameterizedTest
-    @CsvSource({"sinusoid, 2500", "blaze, 2500", "disc, 1600"})
-    void aBuiltInGratingHasItsPeriod(String patch, double nanometers) throws Exception {
-        JsonNode period = inspect(patch, "");
-
-        // 0.05 %: whole nanometers would be enough.
-        assertThat(1e9 * period.get("period_m").doubleValue()).isBetween(0.9995 * nanometers, 1.0005 * nanometers);
-        assertThat(Math.abs(period.get("direction_deg").doubleValue())).isLessThan(0.1);
-    }
-
-    /** A scan of 12.3 noisy periods, at an angle. */
-    @Test
-    void theIntervalOfANoisyScanHoldsTheTruth() throws Exception {
-        double period = 1234;
-        double angle = Math.toRadians(20);
-        SplittableRandom random = new SplittableRandom(5);
-        double pitch = 60;
-        Images.gray(workplace.resolve("scan.png"), 256, 256, (column, row) -> {
-            double along = pitch * (column * Math.cos(angle) - row * Math.sin(angle));
-            return (int)
-                    Math.round(128 + 90 * Math.sin(2 * Math.PI * along / period) + 20 * (random.nextDouble() - 0.5));
-        });
-
-        JsonNode found = inspect("scan.png", " --width 15.36um --max-height 100nm --no-periodic");
-
-        double low = 1e9 * found.get("period_low_m").doubleValue();
-        double high = 1e9 * found.get("period_high_m").doubleValue();
-        assertThat(low).isLessThan(period).isGreaterThan(0.95 * period);
-        assertThat(high).isGreaterThan(period).isLessThan(1.05 * period);
-        assertThat(found.get("direction_deg").doubleValue()).isBetween(19.0, 21.0);
-    }
-
     /** The thesis measures 1144 nm along the fingers' rows and 1032 nm as the ensemble's mean; the period lies between them. */
     @Test
     void elapheIsToldAlikeByInspectAndEvaluate() throws Exception {
         Path patch = SharedData.patch("elaphe");
-        JsonNode seen = inspect(patch, "");
+        JsonNode seen = workplace.json("inspect --json --output sheet.png --patch %s", patch);
         workplace.here("evaluate --patch %s --azimuth 0 --wavelengths 380:780:100 --output result", patch);
         JsonNode measured = workplace.readJson("result.json");
 
