@@ -40,94 +40,81 @@ class BadInputTest extends InWorkplace {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            quoteCharacter = '"',
-            value = {
-                "brdf-map --size 0|--size 0 is out of range; give 1 to",
-                "brdf-map --size 100000|--size 100000 is out of range; give 1 to",
-                "brdf-map --theta-i 90|--theta-i 90 deg is out of range; give 0 deg to 89.9 deg",
-                "brdf-map --exposure -2|--exposure '-2' is neither auto nor a positive number",
-                "brdf-map --terms 0|--terms 0 is out of range; give 1 to",
-                "brdf-map --radius 99|--radius 99 is out of range; give 0 to",
-                "brdf-map --wavelength-step 0nm|--wavelength-step 0 m is out of range; give",
-                "brdf-map --coherence-length 1m|--coherence-length 1 m is out of range; give",
-                "brdf-map --tolerance 0|--tolerance 0 is out of range; give 1e-5 to 1",
-                "brdf-map --tolerance 1e-7|--tolerance 1e-7 is finer than float32 can reach, which is 1e-5",
-                "brdf-map --preset thesis --tolerance 0.1|--tolerance 0.1 contradicts --preset thesis",
-                "brdf-map --anchor floor|anchor floor is of the thesis's bins",
-                "brdf-map --method gem --terms 5|--terms 5 belongs to --method full, nmm or pq, not gem; leave it out",
-                "brdf-map --preset these|--preset \"these\" is not one of none, thesis",
-                "brdf-map --output map.png --linear map.png|--linear map.png would be linear colors, which its name does not say; end it with .npy",
-                "brdf-mop|unknown command 'brdf-mop' (did you mean brdf-map",
-                "brdf-map --tolerance 1%|--tolerance \"1%\" is no number; write 0.01 for that many percent",
-                "brdf-map --exposure Automatic|--exposure 'Automatic' is neither auto",
-                "brdf-map --average ensembel|is not one of coherent, ensemble (did you mean ensemble?)",
-                "brdf-map --sise 8|unknown option '--sise' (did you mean --size",
-                "reflectance --directions in.csv|missing required option: '--output",
-                "export blaze --format npz --output b.csv|--output",
-                "export blaze --format npz --output b.npz --size many|--size",
-                "export blaze --format npz --output b.npz --theta-max 91|--theta-max",
-                "export blaze --format tiff --output b.npz|--format",
-                "export blaze --format hdf5 --output b.h5|hdf5",
-                "export blaze --format npz --output b.npz --channels rgb|--channels",
-                "export blaze --format html --output b.html --channels rec709|--channels",
-                "export blaze --format npz --output b.npz --channels spectral --bands 500|--bands 500",
-                "export blaze --format npz --output b.npz --channels spectral --illuminant A|--illuminant",
-                "export blaze --format npz --output b.npz --bands 20|--bands",
-                "export blaze --format npz --output b.npz --channels spectral --wavelengths 532nm|--bands",
-                "export blaze --format osl --output b --bands 20|--bands",
-                "export blaze --format bsdf --output b.brdf|--output",
-                "export blaze --format bsdf --output b.bsdf --channels xyz|--channels",
-                "export blaze --format bsdf --output b.bsdf --illuminant A|--illuminant",
-                "brdf-map --patch scan.png --width 0um --max-height 375nm|--width 0 m is out of range; give 1 nm to 100 mm",
-                "brdf-map --patch scan.png --width -65um --max-height 375nm|--width -65 um is out of range; give",
-                "brdf-map --patch scan.png --width 65m --max-height 375nm|--width 65 m is out of range; give",
-                "brdf-map --patch scan.png --width 65 --max-height 375nm|--width \"65\" has no unit; write",
-                "brdf-map --patch scan.png --width wide --max-height 375nm|--width \"wide\" is no length; write",
-                "brdf-map --patch scan.png --width NaNum --max-height 375nm|--width \"NaNum\" is no length; write",
-                "brdf-map --patch scan.png --width 65um --height 0um --max-height 375nm|--height 0 m is out of range; give",
-                "brdf-map --patch scan.png --width 65um --max-height 0nm|--max-height 0 m is out of range; give 1 pm to 1 m",
-                "brdf-map --patch scan.png --width 65um --max-height -1nm|--max-height -1 nm is out of range; give",
-                "brdf-map --patch scan.png --width 65um --max-height 375m|--max-height 375 m is out of range; give",
-                "brdf-map --patch scan.png --width 65um --max-height 375mm|--max-height 375 mm makes a relief of"
-            })
+    @CsvSource(delimiter = '|', textBlock = """
+            brdf-map --size 0|--size 0 is out of range; give 1 to
+            brdf-map --size 100000|--size 100000 is out of range; give 1 to
+            brdf-map --theta-i 90|--theta-i 90 deg is out of range; give 0 deg to 89.9 deg
+            brdf-map --exposure -2|--exposure '-2' is neither auto nor a positive number
+            brdf-map --terms 0|--terms 0 is out of range; give 1 to
+            brdf-map --radius 99|--radius 99 is out of range; give 0 to
+            brdf-map --wavelength-step 0nm|--wavelength-step 0 m is out of range; give
+            brdf-map --coherence-length 1m|--coherence-length 1 m is out of range; give
+            brdf-map --tolerance 0|--tolerance 0 is out of range; give 1e-5 to 1
+            brdf-map --tolerance 1e-7|--tolerance 1e-7 is finer than float32 can reach, which is 1e-5
+            brdf-map --preset thesis --tolerance 0.1|--tolerance 0.1 contradicts --preset thesis
+            brdf-map --anchor floor|anchor floor is of the thesis's bins
+            brdf-map --method gem --terms 5|--terms 5 belongs to --method full, nmm or pq, not gem; leave it out
+            brdf-map --preset these|--preset "these" is not one of none, thesis
+            brdf-map --output map.png --linear map.png|--linear map.png would be linear colors, which its name does not say; end it with .npy
+            brdf-mop|unknown command 'brdf-mop' (did you mean brdf-map
+            brdf-map --tolerance 1%|--tolerance "1%" is no number; write 0.01 for that many percent
+            brdf-map --exposure Automatic|--exposure 'Automatic' is neither auto
+            brdf-map --average ensembel|is not one of coherent, ensemble (did you mean ensemble?)
+            brdf-map --sise 8|unknown option '--sise' (did you mean --size
+            reflectance --directions in.csv|missing required option: '--output
+            export blaze --format npz --output b.csv|--output
+            export blaze --format npz --output b.npz --size many|--size
+            export blaze --format npz --output b.npz --theta-max 91|--theta-max
+            export blaze --format tiff --output b.npz|--format
+            export blaze --format hdf5 --output b.h5|hdf5
+            export blaze --format npz --output b.npz --channels rgb|--channels
+            export blaze --format html --output b.html --channels rec709|--channels
+            export blaze --format npz --output b.npz --channels spectral --bands 500|--bands 500
+            export blaze --format npz --output b.npz --channels spectral --illuminant A|--illuminant
+            export blaze --format npz --output b.npz --bands 20|--bands
+            export blaze --format npz --output b.npz --channels spectral --wavelengths 532nm|--bands
+            export blaze --format osl --output b --bands 20|--bands
+            export blaze --format bsdf --output b.brdf|--output
+            export blaze --format bsdf --output b.bsdf --channels xyz|--channels
+            export blaze --format bsdf --output b.bsdf --illuminant A|--illuminant
+            brdf-map --patch scan.png --width 0um --max-height 375nm|--width 0 m is out of range; give 1 nm to 100 mm
+            brdf-map --patch scan.png --width 65m --max-height 375nm|--width 65 m is out of range; give
+            brdf-map --patch scan.png --width 65 --max-height 375nm|--width "65" has no unit; write
+            brdf-map --patch scan.png --width 65um --height 0um --max-height 375nm|--height 0 m is out of range; give
+            brdf-map --patch scan.png --width 65um --max-height 0nm|--max-height 0 m is out of range; give 1 pm to 1 m
+            brdf-map --patch scan.png --width 65um --max-height 375m|--max-height 375 m is out of range; give
+            brdf-map --patch scan.png --width 65um --max-height 375mm|--max-height 375 mm makes a relief of
+            """)
     void optionsAndScales(String commandLine, String words) throws Exception {
         assertRefused(SunbeamResult.USAGE, commandLine, words);
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            quoteCharacter = '"',
-            value = {
-                "--patch nowhere.png --width 65um --max-height 375nm | --patch nowhere.png is neither a built-in patch nor an existing file; give a",
-                "--patch notes.png --width 65um --max-height 375nm | notes.png is / format that Sunbeam knows / Gwyddion",
-                "--patch one.png --width 65um --max-height 375nm | one.png has 1 x 1 samples / give at least",
-                "--patch scan.png | scan.png / add for example --width 65um and --max-height 375nm",
-                "--patch scan.png --width 65um | scan.png / add for example --max-height 375nm",
-                "--patch scan.png --max-height 375nm | scan.png / add for example --width 65um",
-                "--patch lost.json | lost.json, line 1 / there is no file lost.png; check the name",
-                "--patch broken.json | broken.json, line 1: no valid JSON",
-                "blaze --periodic yes | 'yes' is neither a built-in patch nor an existing file; a name with blanks needs quotes"
-            })
+    @CsvSource(delimiter = '|', quoteCharacter = '"', textBlock = """
+            --patch nowhere.png --width 65um --max-height 375nm | --patch nowhere.png is neither a built-in patch nor an existing file; give a
+            --patch notes.png --width 65um --max-height 375nm | notes.png is / format that Sunbeam knows / Gwyddion
+            --patch one.png --width 65um --max-height 375nm | one.png has 1 x 1 samples / give at least
+            --patch scan.png | scan.png / add for example --width 65um and --max-height 375nm
+            --patch scan.png --width 65um | scan.png / add for example --max-height 375nm
+            --patch scan.png --max-height 375nm | scan.png / add for example --width 65um
+            --patch lost.json | lost.json, line 1 / there is no file lost.png; check the name
+            --patch broken.json | broken.json, line 1: no valid JSON
+            blaze --periodic yes | 'yes' is neither a built-in patch nor an existing file; a name with blanks needs quotes
+            """)
     void surfaces(String options, String words) throws Exception {
         assertRefused(SunbeamResult.UNUSABLE_INPUT, "brdf-map " + options + " --size 8", words);
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "theta_i,phi_i,theta_r|0,0,0|it has no column phi_r",
-                "theta_i,phi_i,theta_r,phi_r|0,0,95,0|line 2, column theta_r: 95.0 must lie in 0..89.999 degrees",
-                "theta_i,phi_i,theta_r,phi_r|-1,0,0,0|line 2, column theta_i: -1.0 must lie in 0..89.999 degrees",
-                "theta_i,phi_i,theta_r,phi_r|0,1e300,0,0|line 2, column phi_i: 1.0E300 must lie in -36000..36000 degrees",
-                "theta_i,phi_i,theta_r,phi_r|0,north,0,0|line 2, column phi_i: 'north' is not a finite number",
-                "theta_i,phi_i,theta_r,phi_r,wavelength|0,0,0,0,5.5e-7|column wavelength: 5.5E-7 must lie in 380..780 nm",
-                "theta_i,phi_i,theta_r,phi_r,wavelength|0,0,0,0|line 2: 4 fields, but the header has 5",
-                "theta_i;phi_i;theta_r;phi_r|0;0;0;0|separate columns by commas"
-            })
+    @CsvSource(delimiter = '|', textBlock = """
+            theta_i,phi_i,theta_r|0,0,0|it has no column phi_r
+            theta_i,phi_i,theta_r,phi_r|0,0,95,0|line 2, column theta_r: 95.0 must lie in 0..89.999 degrees
+            theta_i,phi_i,theta_r,phi_r|-1,0,0,0|line 2, column theta_i: -1.0 must lie in 0..89.999 degrees
+            theta_i,phi_i,theta_r,phi_r|0,1e300,0,0|line 2, column phi_i: 1.0E300 must lie in -36000..36000 degrees
+            theta_i,phi_i,theta_r,phi_r,wavelength|0,0,0,0,5.5e-7|column wavelength: 5.5E-7 must lie in 380..780 nm
+            theta_i,phi_i,theta_r,phi_r,wavelength|0,0,0,0|line 2: 4 fields, but the header has 5
+            theta_i;phi_i;theta_r;phi_r|0;0;0;0|separate columns by commas
+            """)
     void directions(String header, String row, String words) throws Exception {
         Files.writeString(workplace.resolve("in.csv"), header + "\n" + row + "\n");
         String commandLine = "reflectance --patch blaze --output out.csv --directions ";
@@ -139,18 +126,16 @@ class BadInputTest extends InWorkplace {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "brdf-map --size 8 --output maps/map.png|cannot write maps/map.png / does not exist; create it first",
-                "brdf-map --size 8 --output .|it is a folder; name a file in it",
-                "brdf-map --size 8 --output /proc/map.png|/proc/map.png",
-                "precompute --output /proc/table.h5|/proc/table.h5",
-                "reflectance --directions in.csv --output /proc/out.csv|/proc/out.csv",
-                "brdf-map --size 8 --output /dev/full|cannot write /dev/full: No space left on device; free some space or",
-                "brdf-map --size 8 --output map.png --linear /dev/full|cannot write /dev/full: No space left on device; free some space or",
-                "reflectance --directions in.csv --output /dev/full|cannot write /dev/full: No space left on device; free some space or"
-            })
+    @CsvSource(delimiter = '|', textBlock = """
+            brdf-map --size 8 --output maps/map.png|cannot write maps/map.png / does not exist; create it first
+            brdf-map --size 8 --output .|it is a folder; name a file in it
+            brdf-map --size 8 --output /proc/map.png|/proc/map.png
+            precompute --output /proc/table.h5|/proc/table.h5
+            reflectance --directions in.csv --output /proc/out.csv|/proc/out.csv
+            brdf-map --size 8 --output /dev/full|cannot write /dev/full: No space left on device; free some space or
+            brdf-map --size 8 --output map.png --linear /dev/full|cannot write /dev/full: No space left on device; free some space or
+            reflectance --directions in.csv --output /dev/full|cannot write /dev/full: No space left on device; free some space or
+            """)
     void outputs(String commandLine, String words) throws Exception {
         boolean isHere = Stream.of("/proc", "/dev/full")
                 .filter(commandLine::contains)

@@ -3,10 +3,8 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -50,11 +48,8 @@ class BuiltInPatchesTest extends InOneWorkplace {
 
     @BeforeAll
     static void read() throws IOException {
-        try (BufferedReader lines = new BufferedReader(new InputStreamReader(
-                BuiltInPatchesTest.class.getResourceAsStream("/sunbeam/acceptance/contract/built-in-patches.csv"),
-                StandardCharsets.UTF_8))) {
-            lines.lines().skip(1).map(Reference::parse).forEach(REFERENCES::add);
-        }
+        List<String> lines = Files.readAllLines(SharedData.present("sunbeam/acceptance/contract/built-in-patches.csv"));
+        lines.stream().skip(1).map(Reference::parse).forEach(REFERENCES::add);
     }
 
     private static List<Reference> of(String patch, String average) {

@@ -6,13 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
-import java.awt.image.ComponentColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.Random;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -71,13 +71,11 @@ class CompareTest extends InOneWorkplace {
 
     /** Writes a picture of 16 bits; its left quarter is transparent and has another color. */
     private static void photograph(String name, Sensor sensor) throws IOException {
-        ComponentColorModel model = new ComponentColorModel(
-                ColorSpace.getInstance(ColorSpace.CS_sRGB),
-                true,
-                false,
-                BufferedImage.TRANSLUCENT,
-                DataBuffer.TYPE_USHORT);
-        WritableRaster raster = model.createCompatibleWritableRaster(WIDTH, HEIGHT);
+        ColorSpace srgb = ColorSpace.getInstance(ColorSpace.CS_sRGB);
+        BufferedImage image = ImageTypeSpecifier.createInterleaved(
+                        srgb, new int[] {0, 1, 2, 3}, DataBuffer.TYPE_USHORT, true, false)
+                .createBufferedImage(WIDTH, HEIGHT);
+        WritableRaster raster = image.getRaster();
         for (int row = 0; row < HEIGHT; row++) {
             for (int column = 0; column < WIDTH; column++) {
                 boolean masked = column < WIDTH / 4;
@@ -89,10 +87,7 @@ class CompareTest extends InOneWorkplace {
                 raster.setSample(column, row, 3, masked ? 0 : 65_535);
             }
         }
-        ImageIO.write(
-                new BufferedImage(model, raster, false, null),
-                "png",
-                workplace.resolve(name).toFile());
+        ImageIO.write(image, "png", workplace.resolve(name).toFile());
     }
 
     private static String command(String photo, String more) {

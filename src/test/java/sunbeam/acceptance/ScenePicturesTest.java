@@ -4,9 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
-import java.nio.file.StandardCopyOption;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
@@ -32,13 +31,11 @@ class ScenePicturesTest extends InOneWorkplace {
 
     @BeforeAll
     static void layOut() throws IOException {
-        try (InputStream scene = resource("three-lights.json")) {
-            Files.copy(scene, workplace.resolve("three-lights.json"), StandardCopyOption.REPLACE_EXISTING);
-        }
+        Files.copy(resource("three-lights.json"), workplace.resolve("three-lights.json"));
     }
 
-    private static InputStream resource(String name) {
-        return ScenePicturesTest.class.getResourceAsStream("/sunbeam/acceptance/contract/" + name);
+    private static Path resource(String name) {
+        return SharedData.present("sunbeam/acceptance/contract/" + name);
     }
 
     private static BufferedImage render(String options) throws IOException {
@@ -48,10 +45,7 @@ class ScenePicturesTest extends InOneWorkplace {
 
     /** Returns CIE 1976's differences of all pixels, ascending. */
     private static double[] differences(BufferedImage picture, String reference) throws IOException {
-        BufferedImage expected;
-        try (InputStream file = resource(reference + ".png")) {
-            expected = ImageIO.read(file);
-        }
+        BufferedImage expected = ImageIO.read(resource(reference + ".png").toFile());
         assertThat(picture.getWidth()).isEqualTo(expected.getWidth());
         assertThat(picture.getHeight()).isEqualTo(expected.getHeight());
         double[] all = new double[picture.getWidth() * picture.getHeight()];

@@ -21,7 +21,7 @@ public abstract class InARendering {
         rendering.close();
     }
 
-    static void assertRefused(ThrowingCallable call, String... words) {
+    public static void assertRefused(ThrowingCallable call, String... words) {
         assertThatThrownBy(call).isInstanceOf(GraphicsException.class).hasMessageContainingAll(words);
     }
 }

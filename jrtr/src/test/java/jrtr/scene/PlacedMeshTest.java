@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import jrtr.Tile;
 import jrtr.VertexData;
 import jrtr.gl.FloatTarget;
@@ -138,6 +139,7 @@ class PlacedMeshTest extends InARendering {
     }
 
     private static final int SIDE = 48;
+    private static final int MIDDLE = 4 * (SIDE / 2 * SIDE + SIDE / 2);
     // A few operations in float32 on unit vectors.
     private static final float ROUNDING = 2e-6f;
     private static final String SHADER = """
@@ -159,18 +161,8 @@ class PlacedMeshTest extends InARendering {
     private final Camera camera = new Camera(new Vector3f(1, -3, 2), new Vector3f(0.2f, 0, 0), new Vector3f(0, 0, 1));
     private final Vector3f towardsLight = new Vector3f(0.6f, -0.48f, 0.64f);
 
-    private record Images(List<float[]> images) {
-        Vector3f at(int image, int pixel) {
-            float[] values = images.get(image);
-            return new Vector3f(values[4 * pixel], values[4 * pixel + 1], values[4 * pixel + 2]);
-        }
-
-        int middle() {
-            return SIDE / 2 * SIDE + SIDE / 2;
-        }
-    }
-
-    private Images drawn(VertexData data, Matrix4f place, float rotation) {
+    /** Draws a mesh and returns each image at the middle pixel. */
+    private List<Vector3f> drawn(VertexData data, Matrix4f place, float rotation) {
         ShaderProgram program = rendering.meshProgram(SHADER);
         PlacedMesh.turnTangents(program, rotation);
         Light.apply(List.of(new Light(towardsLight, new Vector3f(1))), program);
@@ -180,7 +172,10 @@ class PlacedMeshTest extends InARendering {
             View view = new View(camera, 0.5f, 0, 0.5f, 20);
             new PlacedMesh(mesh, place, program, Map.of(), Faces.BOTH)
                     .draw(rendering.context, view, View.Area.whole(SIDE, SIDE), target, Tile.whole(SIDE, SIDE));
-            return new Images(List.of(target.read(0), target.read(1), target.read(2), target.read(3), target.read(4)));
+            return IntStream.range(0, 5)
+                    .mapToObj(target::read)
+                    .map(rgba -> new Vector3f(rgba[MIDDLE], rgba[MIDDLE + 1], rgba[MIDDLE + 2]))
+                    .toList();
         }
     }
 
@@ -198,26 +193,25 @@ class PlacedMeshTest extends InARendering {
 
     @Test
     void lightAndViewAreInTheFrameOfAPlane() {
-        Images images = drawn(TestMeshes.square(), new Matrix4f(), 0);
-        int pixel = images.middle();
+        List<Vector3f> images = drawn(TestMeshes.square(), new Matrix4f(), 0);
 
-        assertClose(images.at(0, pixel), new Vector3f(1, 0, 0), ROUNDING);
-        assertClose(images.at(1, pixel), new Vector3f(0, 1, 0), ROUNDING);
-        assertClose(images.at(3, pixel), towardsLight, ROUNDING);
+        assertClose(images.get(0), new Vector3f(1, 0, 0), ROUNDING);
+        assertClose(images.get(1), new Vector3f(0, 1, 0), ROUNDING);
+        assertClose(images.get(3), towardsLight, ROUNDING);
         Vector3f towardsEye = new Vector3f(camera.centerOfProjection())
                 .sub(camera.lookAtPoint())
                 .normalize();
         // The pixel's middle lies half a pixel, 0.5 / 48 / 2 rad, beside the line of sight.
-        assertClose(images.at(4, pixel), towardsEye, 0.01f);
+        assertClose(images.get(4), towardsEye, 0.01f);
     }
 
     @Test
     void lightAndViewTurnAgainstTheSurface() {
         float angle = (float) Math.PI / 6;
-        Images images = drawn(TestMeshes.square(), new Matrix4f().rotateX(angle), 0);
+        List<Vector3f> images = drawn(TestMeshes.square(), new Matrix4f().rotateX(angle), 0);
 
         Vector3f expected = new Vector3f(towardsLight).rotateX(-angle);
-        assertClose(images.at(3, images.middle()), expected, ROUNDING);
+        assertClose(images.get(3), expected, ROUNDING);
     }
 
     @Test
@@ -225,23 +219,23 @@ class PlacedMeshTest extends InARendering {
         float angle = (float) Math.toRadians(30);
         Vector3f turned = new Vector3f((float) Math.cos(angle), (float) Math.sin(angle), 0);
 
-        Images right = drawn(TestMeshes.square(), new Matrix4f(), angle);
-        Images left = drawn(mirrored(TestMeshes.square()), new Matrix4f(), angle);
+        List<Vector3f> right = drawn(TestMeshes.square(), new Matrix4f(), angle);
+        List<Vector3f> left = drawn(mirrored(TestMeshes.square()), new Matrix4f(), angle);
 
-        assertClose(right.at(0, right.middle()), turned, ROUNDING);
-        assertClose(left.at(0, left.middle()), turned, ROUNDING);
-        assertClose(right.at(1, right.middle()), new Vector3f(-turned.y, turned.x, 0), ROUNDING);
-        assertClose(left.at(1, left.middle()), new Vector3f(turned.y, -turned.x, 0), ROUNDING);
+        assertClose(right.get(0), turned, ROUNDING);
+        assertClose(left.get(0), turned, ROUNDING);
+        assertClose(right.get(1), new Vector3f(-turned.y, turned.x, 0), ROUNDING);
+        assertClose(left.get(1), new Vector3f(turned.y, -turned.x, 0), ROUNDING);
     }
 
     @Test
     void unevenScalingKeepsNormalsOrthogonalToTheSurface() {
         // The plane z = x: normal (-1, 0, 1), flattened to z = x / 2, normal (-1, 0, 2).
         Matrix4f place = new Matrix4f().scale(1, 1, 0.5f).rotateY(-(float) Math.PI / 4);
-        Images images = drawn(TestMeshes.square(), place, 0);
+        List<Vector3f> images = drawn(TestMeshes.square(), place, 0);
 
-        assertClose(images.at(2, images.middle()), new Vector3f(-1, 0, 2).normalize(), ROUNDING);
-        assertClose(images.at(0, images.middle()), new Vector3f(2, 0, 1).normalize(), ROUNDING);
+        assertClose(images.get(2), new Vector3f(-1, 0, 2).normalize(), ROUNDING);
+        assertClose(images.get(0), new Vector3f(2, 0, 1).normalize(), ROUNDING);
     }
 
     /** Meshes with known analytic normals. */

@@ -10,7 +10,6 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -63,17 +62,6 @@ final class InspectCommandTest extends CommandLineFixture {
         assertComplaint(ExitCode.USAGE, "inspect sinusoid --json --output -", "--json", "--output -");
         assertComplaint(ExitCode.USAGE, "inspect disc --patch blaze", "'disc'", "--patch", "one of them");
         assertThat(out.toString()).isEmpty();
-    }
-
-    @Test
-    void noiseHasNoPeriodAndTheFigureSaysWhy() throws IOException {
-        SplittableRandom random = new SplittableRandom(7);
-        scan("noise.txt", "", 300, 200, (column, row) -> 100 * random.nextDouble());
-        assertSuccess(sunbeam("inspect @noise.txt --width 60um --height-unit nm --output @sheet.png"));
-        assertThat(out.toString()).startsWith("No order found: a white gloss without color");
-        // Samples are 200 nm apart: the loader's warning and the table say so.
-        assertThat(err.toString()).contains("sampling too coarse");
-        assertThat(out.toString()).contains("pitch     sampling too coarse");
     }
 
     @Test

@@ -72,28 +72,26 @@ class OptionsTest extends CommandLineFixture {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "--tolerance -1e-3|--tolerance -0.001 is out of range; give 1e-5 to 1",
-                "--tolerance 1.5|--tolerance 1.5 is out of range; give 1e-5 to 1",
-                "--tolerance NaN|--tolerance \"NaN\" is no number",
-                "--tolerance 1e-6|method reference",
-                "--coherence-length 0m|--coherence-length 0 m is out of range; give 100 nm to 10 mm",
-                "--terms 501|--terms 501 is out of range; give 1 to 500",
-                "--terms 1.5|--terms \"1.5\" is no whole number",
-                "--radius -1|--radius -1 is out of range; give 0 to 15",
-                "--wavelength-step 300nm|--wavelength-step 300 nm is out of range; give 1 pm to 200 nm",
-                "--method nmm --interpolation sinc|--interpolation sinc belongs to --method pq, not nmm; leave it out",
-                "--radius 1 --method reference|--radius 1 belongs to --method full or nmm, not reference; leave it out",
-                "--replicas 3|--replicas 3 belongs to --method pq or reference, not full; leave it out or use --method pq",
-                "--spacing 1um|--spacing 1 um belongs to --method gem, not full; leave it out or use --method gem",
-                "--method pq --replicas 0|--replicas 0 is out of range; give 1 to 10000",
-                "--method gem --spacing 1nm|--spacing 1 nm is out of range; give 100 nm to 1 mm",
-                "--method gem --spacing 3|--spacing \"3\" has no unit",
-                "--method pq --average ensemble|--average ensemble is not for --method pq, which has coherent only",
-                "--method reference --replicas 3 --average ensemble|--average ensemble is not for --replicas",
-            })
+    @CsvSource(delimiter = '|', textBlock = """
+            --tolerance -1e-3|--tolerance -0.001 is out of range; give 1e-5 to 1
+            --tolerance 1.5|--tolerance 1.5 is out of range; give 1e-5 to 1
+            --tolerance NaN|--tolerance "NaN" is no number
+            --tolerance 1e-6|method reference
+            --coherence-length 0m|--coherence-length 0 m is out of range; give 100 nm to 10 mm
+            --terms 501|--terms 501 is out of range; give 1 to 500
+            --terms 1.5|--terms "1.5" is no whole number
+            --radius -1|--radius -1 is out of range; give 0 to 15
+            --wavelength-step 300nm|--wavelength-step 300 nm is out of range; give 1 pm to 200 nm
+            --method nmm --interpolation sinc|--interpolation sinc belongs to --method pq, not nmm; leave it out
+            --radius 1 --method reference|--radius 1 belongs to --method full or nmm, not reference; leave it out
+            --replicas 3|--replicas 3 belongs to --method pq or reference, not full; leave it out or use --method pq
+            --spacing 1um|--spacing 1 um belongs to --method gem, not full; leave it out or use --method gem
+            --method pq --replicas 0|--replicas 0 is out of range; give 1 to 10000
+            --method gem --spacing 1nm|--spacing 1 nm is out of range; give 100 nm to 1 mm
+            --method gem --spacing 3|--spacing "3" has no unit
+            --method pq --average ensemble|--average ensemble is not for --method pq, which has coherent only
+            --method reference --replicas 3 --average ensemble|--average ensemble is not for --replicas
+            """)
     void whatCannotBeMeantIsRefusedWithTheRemedy(String options, String words) {
         assertThatThrownBy(() -> method(options))
                 .isInstanceOfSatisfying(

@@ -1,7 +1,6 @@
 package sunbeam.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
@@ -21,11 +20,9 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Replicas;
-import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ExactLight.Quadrature;
 import sunbeam.precompute.reference.ExactLight.ReplicaLight;
-import sunbeam.precompute.setting.SettingException;
 
 /** Methods for periodic surfaces: nmm and gem, of one wavelength an order, and pq. */
 @NeedsDisplay
@@ -168,18 +165,6 @@ class PeriodicMethodsTest {
         assertThat(xyz.get(0)[1]).isGreaterThan(0.01f);
         assertThat(xyz.get(1)).startsWith(0, 0, 0);
         assertThat(xyz.get(2)[1]).isCloseTo(1, within(1e-5f));
-    }
-
-    @Test
-    void aPatchOfManyPeriodsNeedsASpacing() {
-        MethodProbe probe = new MethodProbe(home, "--patch disc");
-        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method gem"))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("--spacing");
-        assertThat(probe.plan(VisibleRange.all(), "--method gem --spacing 1.6um")
-                        .summary())
-                .contains("1.6 um")
-                .contains("for comparison only");
     }
 
     private static final double WAVELENGTH = 500e-9;

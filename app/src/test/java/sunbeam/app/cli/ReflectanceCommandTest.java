@@ -222,13 +222,6 @@ class ReflectanceCommandTest extends CommandLineFixture {
     }
 
     @Test
-    void whatItHasNoAnswerForIsRefusedInOneLine() {
-        assertThatThrownBy(() -> probe().powers(List.of(MethodProbe.inPlane(20, -10)), 500e-9, TABLE))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("column wavelength");
-    }
-
-    @Test
     void aTableThatHasNoRoomIsRefusedBeforeAnythingIsTakenForIt() {
         VisibleRange map = VisibleRange.of(new Direction(0, 0, 1));
         assertRefused(map, "10mm", "(?s).* layers, more than .*coarser --tolerance.*");

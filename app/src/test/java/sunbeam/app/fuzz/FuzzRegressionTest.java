@@ -128,8 +128,7 @@ final class FuzzRegressionTest {
     /** What comes before {@code from}, {@code again} bytes from there, and what comes after {@code to}. */
     private static byte[] spliced(byte[] content, int from, int to, int again) {
         byte[] result = new byte[from + again + content.length - to];
-        System.arraycopy(content, 0, result, 0, from);
-        System.arraycopy(content, from, result, from, again);
+        System.arraycopy(content, 0, result, 0, from + again);
         System.arraycopy(content, to, result, from + again, content.length - to);
         return result;
     }

@@ -18,7 +18,6 @@ import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.ShaderTables.MethodUse;
@@ -143,16 +142,7 @@ record RandomCase(
     }
 
     private Surface surface() {
-        return Surface.of(new Patch(
-                "case " + seed,
-                map,
-                map,
-                "made up",
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                Patch.Repetition.PERIODIC));
+        return new Surface(map, "case " + seed, map.digest(), CieTable.load());
     }
 
     /** X, Y, Z, or the power of the average alone, of each query. */

@@ -55,14 +55,9 @@ class BuiltInScenesTest extends InAScene {
 
     /** Before the viewer has colors it shows white under the light as white: an exposure of one over the light's intensity. */
     private void assertMeteredAsFirstShown(List<String> names) {
-        SceneLoader loader =
-                new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), warnings::add);
         for (String name : names) {
             Scene scene = Scenes.load(name);
-            try (SceneSession session = new SceneSession(
-                    context,
-                    loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)))
-                            .get(0))) {
+            try (SceneSession session = session(scene)) {
                 double exposure = new PartSum(List.of(session))
                         .exposure(scene, 640, 480, TimedTiles.large(), () -> false)
                         .orElseThrow();

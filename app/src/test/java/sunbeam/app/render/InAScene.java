@@ -77,7 +77,15 @@ public abstract class InAScene extends InAContext {
     }
 
     protected final List<SceneData> parts(Scene scene) {
-        SceneLoader loader = loader();
+        return parts(scene, loader());
+    }
+
+    /** Loads a scene with a folder as home, where tables are cached. */
+    public static List<SceneData> parts(Scene scene, Path home) {
+        return parts(scene, new SceneLoader(new Environment(Map.of(), home), line -> {}));
+    }
+
+    private static List<SceneData> parts(Scene scene, SceneLoader loader) {
         return loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)));
     }
 

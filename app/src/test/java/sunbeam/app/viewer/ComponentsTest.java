@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.Font;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Point2D;
@@ -15,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import javax.swing.JComponent;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.viewer.MapView.GratingOrders;
 import sunbeam.precompute.analysis.SpatialFrequency;
@@ -65,10 +65,8 @@ class ComponentsTest {
         }
     }
 
-    private static int[] painted(PictureView view) {
-        BufferedImage image = new BufferedImage(view.getWidth(), view.getHeight(), BufferedImage.TYPE_INT_RGB);
-        view.paintComponent(image.createGraphics());
-        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    private static int[] painted(JComponent component) {
+        return Pictures.pixels(ViewerInAWindow.painted(component));
     }
 
     private static BufferedImage enlarged(BufferedImage few, int width, int height) {
@@ -152,7 +150,7 @@ class ComponentsTest {
 
     @Test
     void aSpectrumThatIsBeingMadeIsSaidToComeUntilItIsThereOrFails() {
-        SpectrumPlot plot = new SpectrumPlot();
+        SpectrumPlot plot = plot();
         int[] without = painted(plot);
         plot.curves.get(0).await(true);
         assertThat(painted(plot)).isNotEqualTo(without);
@@ -161,7 +159,7 @@ class ComponentsTest {
 
         plot.curves.get(0).await(true);
         plot.curves.get(0).show(POWERS);
-        SpectrumPlot other = new SpectrumPlot();
+        SpectrumPlot other = plot();
         other.curves.get(0).show(POWERS);
         assertThat(painted(plot)).as("there").isEqualTo(painted(other));
         plot.curves.get(1).await(true);
@@ -179,14 +177,11 @@ class ComponentsTest {
                 .contains("XYZ, D65  0.950", ", 1.00000, 1.08", "\n380\t1.00000\n385\t", "\n780\t1.00000");
     }
 
-    private static int[] painted(SpectrumPlot plot) {
+    private static SpectrumPlot plot() {
+        SpectrumPlot plot = new SpectrumPlot();
         plot.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
         plot.setForeground(Color.WHITE);
         plot.setSize(300, 100);
-        BufferedImage image = new BufferedImage(300, 100, BufferedImage.TYPE_INT_RGB);
-        Graphics graphics = image.createGraphics();
-        plot.paint(graphics);
-        graphics.dispose();
-        return image.getRGB(0, 0, 300, 100, null, 0, 300);
+        return plot;
     }
 }

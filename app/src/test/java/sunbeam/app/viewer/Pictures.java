@@ -14,18 +14,19 @@ import sunbeam.app.scene.SceneSettings;
 
 /** Pixels of pictures, and files of patches. */
 final class Pictures {
+    private static final int BACKGROUND =
+            0xff000000 | ViewerInAWindow.scene().get(SceneSettings.BACKGROUND).rgb();
+
     private Pictures() {}
 
     /** Returns the number of pixels that differ in color or, with {@code silhouette}, in whether they show the background. */
     static int different(BufferedImage one, BufferedImage other, boolean silhouette) {
         assertThat(other.getWidth()).isEqualTo(one.getWidth());
         assertThat(other.getHeight()).isEqualTo(one.getHeight());
-        int background = 0xff000000
-                | ViewerInAWindow.scene().get(SceneSettings.BACKGROUND).rgb();
         int[] first = pixels(one);
         int[] second = pixels(other);
         return (int) IntStream.range(0, first.length)
-                .filter(i -> silhouette ? (first[i] == background) != (second[i] == background) : first[i] != second[i])
+                .filter(i -> silhouette ? (first[i] == BACKGROUND) != (second[i] == BACKGROUND) : first[i] != second[i])
                 .count();
     }
 
@@ -44,10 +45,8 @@ final class Pictures {
     }
 
     static int shownPixels(BufferedImage image) {
-        int background = 0xff000000
-                | ViewerInAWindow.scene().get(SceneSettings.BACKGROUND).rgb();
         return (int)
-                Arrays.stream(pixels(image)).filter(rgb -> rgb != background).count();
+                Arrays.stream(pixels(image)).filter(rgb -> rgb != BACKGROUND).count();
     }
 
     private static final int SIDE = 32;

@@ -235,7 +235,7 @@ public abstract class ViewerInAWindow {
 
     /** Returns the picture that the command render writes for the viewer's scene, saved as a file. */
     BufferedImage rendered(String name) throws Exception {
-        return rendered(name, onEvents(() -> viewer.model.scene()));
+        return rendered(name, modelScene());
     }
 
     /** Returns the picture that the command render writes for a scene, in the viewer's size. */
@@ -244,15 +244,11 @@ public abstract class ViewerInAWindow {
         Path sceneFile = folder.resolve(name + ".json");
         SceneWriter.write(sceneFile, Overwrite.REFUSE, scene);
         Path png = folder.resolve(name + ".png");
+        String command =
+                "render " + sceneFile + " --size " + shown.getWidth() + "x" + shown.getHeight() + " --output " + png;
         StringWriter err = new StringWriter();
         int status = new Sunbeam(environment(), new PrintWriter(new StringWriter()), new PrintWriter(err))
-                .run(
-                        "render",
-                        sceneFile.toString(),
-                        "--size",
-                        shown.getWidth() + "x" + shown.getHeight(),
-                        "--output",
-                        png.toString());
+                .run(command.split(" ", -1));
         assertThat(status).as(err.toString()).isZero();
         return ImageIO.read(png.toFile());
     }

@@ -30,8 +30,8 @@ class EnergyDivisorTest {
 
     private static final Direction ABOVE = Direction.ofDegrees(0, 0);
 
-    private static HeightMap tracks() {
-        return Surfaces.sampled(SAMPLES, 2, TRACK / SAMPLES, (column, row) -> column < SAMPLES / 2 ? 0 : DEPTH);
+    private static HeightMap tracks(double period) {
+        return Surfaces.sampled(SAMPLES, 2, period / SAMPLES, (column, row) -> column < SAMPLES / 2 ? 0 : DEPTH);
     }
 
     private static EnergyDivisor divisor(HeightMap map) {
@@ -82,7 +82,7 @@ class EnergyDivisorTest {
     void aDiscSendsOutNoMoreThanAMirrorOfItsMaterial(double theta, double phi, double nanometers) {
         Direction wi = Direction.ofDegrees(theta, phi);
         double sent = furnace(wi, nanometers * 1e-9, SUNLIGHT);
-        double divisor = divisor(tracks()).at(wi, nanometers * 1e-9);
+        double divisor = divisor(tracks(TRACK)).at(wi, nanometers * 1e-9);
         // 1 %: what is left of the light beside an order's Gaussian where it crosses the horizon.
         assertThat(sent / divisor).isLessThan(1.01);
         assertThat(divisor).isCloseTo(Math.max(1, sent), within(0.01 * sent));
@@ -129,11 +129,11 @@ class EnergyDivisorTest {
 
     @Test
     void colorsKeepTheLuminanceOfTheExactDivisors() {
-        EnergyDivisor divisor = divisor(tracks());
+        EnergyDivisor divisor = divisor(tracks(TRACK));
         Direction wi = Direction.ofDegrees(10, 0);
         CieTable light = CieTable.load();
         CieTable divided = divisor.under(wi, light);
-        OrderSpectrum spectrum = new OrderSpectrum(tracks());
+        OrderSpectrum spectrum = new OrderSpectrum(tracks(TRACK));
         double exact = 0;
         double all = 0;
         for (int i = 0; i <= 400; i++) {
@@ -149,25 +149,20 @@ class EnergyDivisorTest {
 
     @Test
     void aLasersDivisorIsThatOfItsWavelength() {
-        EnergyDivisor divisor = divisor(tracks());
+        EnergyDivisor divisor = divisor(tracks(TRACK));
         CieTable laser = CieTable.of(Observer.CIE1931, Illuminant.of("E"), WavelengthBand.parse("700nm"));
         Direction wi = Direction.ofDegrees(0, 0);
         assertThat(divisor.ofColors(wi, laser)).isCloseTo(divisor.at(wi, 700e-9), within(0.01));
     }
 
-    /** Two levels of equal width, 120 nm apart: tracks of a DVD. */
-    private static HeightMap wideTracks(double period) {
-        return Surfaces.sampled(32, 4, period / 32, (column, row) -> column < 16 ? 0 : 120e-9);
-    }
-
     @Test
     void wideGratingsKeepTheirEnergyWithoutAWordAndNarrowOnesDoNot() {
-        EnergyBalance narrow = EnergyBalance.largest(wideTracks(TRACK), RefractiveIndex.KERATIN, ABOVE)
+        EnergyBalance narrow = EnergyBalance.largest(tracks(TRACK), RefractiveIndex.KERATIN, ABOVE)
                 .orElseThrow();
         // At a multiple of 20 nm, just before the first orders cross the horizon.
         assertThat(narrow.warning())
                 .hasValueSatisfying(words -> assertThat(words).startsWith("at 720 nm the model reflects 1."));
-        EnergyBalance balance = EnergyBalance.largest(wideTracks(20e-6), RefractiveIndex.KERATIN, ABOVE)
+        EnergyBalance balance = EnergyBalance.largest(tracks(20e-6), RefractiveIndex.KERATIN, ABOVE)
                 .orElseThrow();
         assertThat(balance.ratio()).isBetween(0.95, EnergyBalance.LARGEST);
         assertThat(balance.warning()).isEmpty();

@@ -41,8 +41,7 @@ class VerdictTest {
     }
 
     private static Patch repeated(HeightMap map) {
-        return new Patch(
-                "made", map, map, "made up", List.of(), List.of(), List.of(), List.of(), Patch.Repetition.PERIODIC);
+        return scan(map, Patch.Repetition.PERIODIC);
     }
 
     private static double sine(double position, double period) {

@@ -168,17 +168,13 @@ class RenderCommandTest extends CommandLineFixture {
         assertThat(folder.resolve("b.png")).doesNotExist();
     }
 
-    @Test
-    void aCoherenceLengthThatNeedsATooLargeTableNamesAShorterOne() {
-        assertComplaint(
-                ExitCode.USAGE,
-                "render elaphe --output @b.png --coherence-length 10mm",
-                "a shorter --coherence-length, or --method full");
-    }
-
-    @Test
-    void anUnknownSceneIsUnusable() {
-        assertComplaint(ExitCode.UNUSABLE_INPUT, "render elafe --output @b.png", "elafe");
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            elaphe --coherence-length 10mm | USAGE          | a shorter --coherence-length, or --method full
+            elafe                          | UNUSABLE_INPUT | elafe
+            """)
+    void whatCannotBeDrawnIsToldInALine(String scene, ExitCode code, String words) {
+        assertComplaint(code, "render " + scene + " --output @b.png", words);
     }
 
     /** A grating on a smooth sphere sends only specks of light into the camera. */

@@ -1,6 +1,7 @@
 package sunbeam.app.gpu.colors;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.fail;
 
 import java.util.ArrayDeque;
@@ -10,24 +11,21 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.gpu.colors.VirtualTexture.CancellationToken;
 
 /** The scheduler on an executor that the test controls; events may occur during its work. */
 final class SchedulerTest {
-    private static final int INTERLEAVINGS = 10_000;
     private static final int LEVELS = 3;
     private static final int TILES = 12;
 
     @Test
     void nothingIsLostMadeTwiceOrMadeAfterTheEnd() {
-        for (int seed = 0; seed < INTERLEAVINGS; seed++) {
-            try {
-                new Interleaving(seed).run();
-            } catch (AssertionError | RuntimeException failure) {
-                throw new AssertionError("seed " + seed, failure);
-            }
-        }
+        IntStream.range(0, 10_000)
+                .forEach(seed -> assertThatCode(() -> new Interleaving(seed).run())
+                        .as("seed %d", seed)
+                        .doesNotThrowAnyException());
     }
 
     /** One interleaving of requests, jobs, failures and the end. */

@@ -10,7 +10,6 @@ import java.util.BitSet;
 import java.util.Deque;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
@@ -21,12 +20,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.colors.VirtualTexture.CancellationToken;
-import sunbeam.app.render.SceneLoader;
+import sunbeam.app.render.InAScene;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ViewerInAWindow;
-import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.colortable.AtlasPages;
 import sunbeam.precompute.colortable.AtlasPages.TableLookUp;
 import sunbeam.precompute.colortable.ColorBaker;
@@ -106,12 +103,7 @@ class VirtualTextureTest {
                 .with(Choices.none()
                         .with(Methods.METHOD, TableMethod.TYPE)
                         .with(SceneSettings.ROUGHNESS, Math.toRadians(4)));
-        SceneLoader loader =
-                new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), line -> {});
-        return loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)))
-                .get(0)
-                .bakers()
-                .orElseThrow();
+        return InAScene.parts(scene, folder).get(0).bakers().orElseThrow();
     }
 
     private static void bakeCoarsest(CachedBaker baker) {

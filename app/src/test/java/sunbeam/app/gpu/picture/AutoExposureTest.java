@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
@@ -55,15 +57,11 @@ class AutoExposureTest extends InAContext {
     }
 
     private static double[] joined(double[] first, double... more) {
-        double[] all = Arrays.copyOf(first, first.length + more.length);
-        System.arraycopy(more, 0, all, first.length, more.length);
-        return all;
+        return Stream.of(first, more).flatMapToDouble(DoubleStream::of).toArray();
     }
 
     private static double[] repeated(int times, double value) {
-        double[] all = new double[times];
-        Arrays.fill(all, value);
-        return all;
+        return DoubleStream.generate(() -> value).limit(times).toArray();
     }
 
     @ParameterizedTest

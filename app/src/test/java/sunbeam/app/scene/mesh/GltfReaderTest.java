@@ -1,6 +1,7 @@
 package sunbeam.app.scene.mesh;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -26,14 +27,8 @@ class GltfReaderTest extends MeshReading {
     private static final String GOOD = MeshFiles.gltf(PLANE);
 
     private String refusal(String json) {
-        try {
-            read(json);
-            return "";
-        } catch (InputException refused) {
-            return refused.getMessage();
-        } catch (IOException failure) {
-            throw new AssertionError(failure);
-        }
+        InputException refused = catchThrowableOfType(InputException.class, () -> read(json));
+        return refused == null ? "" : refused.getMessage();
     }
 
     private static String textured(String material) {

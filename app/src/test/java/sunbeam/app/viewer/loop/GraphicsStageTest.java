@@ -7,7 +7,6 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
@@ -19,16 +18,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.render.SceneLoader;
+import sunbeam.app.render.InAScene;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ViewerInAWindow;
 import sunbeam.app.viewer.loop.Stage.MapRequest;
 import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.loop.StageSessions.FrameScale;
 import sunbeam.app.viewer.model.LoadedScene;
-import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.color.Srgb;
@@ -90,15 +87,8 @@ class GraphicsStageTest {
                 .with(Choices.none()
                         .with(Methods.METHOD, TableMethod.TYPE)
                         .with(SceneSettings.ROUGHNESS, Math.toRadians(2)));
-        SceneLoader loader =
-                new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), line -> {});
-        stage.update(
-                new ViewState(
-                        new LoadedScene(loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)))),
-                        WIDTH,
-                        HEIGHT,
-                        false),
-                () -> {});
+        LoadedScene loaded = new LoadedScene(InAScene.parts(scene, folder));
+        stage.update(new ViewState(loaded, WIDTH, HEIGHT, false), () -> {});
         await(stage, () -> stage.coarsestShare() == 1);
     }
 

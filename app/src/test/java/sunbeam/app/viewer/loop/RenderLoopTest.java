@@ -1,12 +1,12 @@
 package sunbeam.app.viewer.loop;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.fail;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.BiConsumer;
@@ -17,22 +17,17 @@ import org.joml.Vector3f;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.render.InAScene;
 import sunbeam.app.render.Pick;
 import sunbeam.app.render.SceneData;
-import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ViewerInAWindow;
 import sunbeam.app.viewer.model.LoadedScene;
-import sunbeam.app.work.BackgroundTask;
 
 /** Order of the render thread's work, with a simulated clock and a stage that draws nothing and lets events happen during its work. */
 final class RenderLoopTest {
-    private static final int SEQUENCES = 10_000;
-    private static final Tile PIXEL = Tile.whole(1, 1);
-
     @TempDir
     private static Path folder;
 
@@ -40,10 +35,7 @@ final class RenderLoopTest {
 
     @BeforeAll
     static void load() {
-        SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), line -> {});
-        Scene scene = ViewerInAWindow.scene();
-        SceneData one = loader.parts(scene, BackgroundTask.start(() -> loader.shape(scene)))
-                .get(0);
+        SceneData one = InAScene.parts(ViewerInAWindow.scene(), folder).get(0);
         // Equal scenes are different objects, as when the light moves.
         scenes = IntStream.range(0, 3)
                 .mapToObj(i -> one.scene().withLight(new SceneLight(new Vector3f(i, 0, 1).normalize(), 1, 0)))
@@ -53,13 +45,10 @@ final class RenderLoopTest {
 
     @Test
     void theLastPictureIsTheFinalOneOfTheNewestState() {
-        for (int seed = 0; seed < SEQUENCES; seed++) {
-            try {
-                new Sequence(seed).run();
-            } catch (AssertionError | RuntimeException failure) {
-                throw new AssertionError("seed " + seed, failure);
-            }
-        }
+        IntStream.range(0, 10_000)
+                .forEach(seed -> assertThatCode(() -> new Sequence(seed).run())
+                        .as("seed %d", seed)
+                        .doesNotThrowAnyException());
     }
 
     /** One sequence of states, tasks, tiles, failures and the end. */
@@ -271,7 +260,7 @@ final class RenderLoopTest {
                 if (interrupted.getAsBoolean()) {
                     return Optional.empty();
                 }
-                drawn.drawn(PIXEL, image(), 0.3 * part);
+                drawn.drawn(Tile.whole(1, 1), image(), 0.3 * part);
             }
             return Optional.of(new Final(image(), 1));
         }
