@@ -27,6 +27,7 @@ class ExportArrayTest extends InOneWorkplace {
     static void export() throws IOException {
         workplace.succeedHere("export blaze --format npz --output bands.npz --samples 2 " + BANDS + SURFACE);
         workplace.succeedHere("export blaze --format npz --output a.npz --samples 0 --illuminant A " + SURFACE);
+        workplace.succeedHere("export blaze --format osl --output osl --size 5MB --samples 0 --coherence-length 16um");
     }
 
     private record Place(int slice, int row, int column) {}
@@ -152,14 +153,6 @@ class ExportArrayTest extends InOneWorkplace {
         assertThat(workplace.resolve("none.npz")).doesNotExist();
     }
 
-    private static final String SMALL = "--format bsdf --size 12MB --samples 0 --coherence-length 3um --theta-max 70";
-    private static final String MATERIAL = "--samples 0 --coherence-length 16um";
-
-    @BeforeAll
-    static void exportMaterial() throws IOException {
-        workplace.succeedHere("export blaze --format osl --output osl --size 5MB " + MATERIAL);
-    }
-
     /** The script fails if samples do not have their density (level 0.01), light is lost, or NumPy reads other colors. */
     @Test
     void mitsubaDrawsDirectionsFromTheTable() throws Exception {
@@ -202,7 +195,9 @@ class ExportArrayTest extends InOneWorkplace {
     @Test
     void mitsubaReflectsWhatReflectanceSays() throws Exception {
         OtherPrograms.requireMitsuba();
-        SunbeamResult made = workplace.here("export blaze --output b.bsdf " + SMALL);
+        SunbeamResult made = workplace.here(
+                "export blaze --format bsdf --output b.bsdf --size 12MB --samples 0 --coherence-length 3um"
+                        + " --theta-max 70");
         String length = made.stdout().replaceAll("(?s).*coherence length ([0-9.]+) um .*", "$1");
         List<double[]> rows = new ArrayList<>();
         for (int i = 0; i < 60; i++) {

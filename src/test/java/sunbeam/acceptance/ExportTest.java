@@ -1,6 +1,7 @@
 package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -17,7 +18,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
-import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -40,7 +40,7 @@ class ExportTest extends InOneWorkplace {
     void anArchiveSaysWhatItHoldsAndHowFarItIsFromTheReference() throws Exception {
         JsonNode metadata = NpzFile.read(workplace.resolve("b.npz")).metadata();
         assertThat(metadata.path("patch").asText()).isEqualTo("blaze");
-        assertThat(metadata.path("coherence_length_m").asDouble()).isCloseTo(16e-6, offset());
+        assertThat(metadata.path("coherence_length_m").asDouble()).isCloseTo(16e-6, within(1e-9));
         assertThat(metadata.path("power_scale").asDouble()).isEqualTo(1);
         assertThat(metadata.path("axes")).hasSize(3);
         JsonNode error = metadata.path("error").path("beside_reference");
@@ -70,12 +70,8 @@ class ExportTest extends InOneWorkplace {
         JsonNode metadata = NpzFile.read(workplace.resolve("small.npz")).metadata();
         double length = metadata.path("coherence_length_m").asDouble();
         assertThat(length).isLessThan(65e-6);
-        assertThat(metadata.path("power_scale").asDouble()).isCloseTo(Math.pow(length / 65e-6, 2), offset());
+        assertThat(metadata.path("power_scale").asDouble()).isCloseTo(Math.pow(length / 65e-6, 2), within(1e-9));
         assertThat(Files.size(workplace.resolve("small.npz"))).isLessThan(2_000_000);
-    }
-
-    private static Offset<Double> offset() {
-        return Offset.offset(1e-9);
     }
 
     @Test
@@ -144,7 +140,7 @@ class ExportTest extends InOneWorkplace {
         double[] finest = meanSquares(file, 0, texels);
         double[] coarser = meanSquares(file, 1, texels / 4);
         for (int c = 0; c < 3; c++) {
-            assertThat(coarser[c]).isCloseTo(finest[c], Offset.offset(0.02 * finest[c]));
+            assertThat(coarser[c]).isCloseTo(finest[c], within(0.02 * finest[c]));
         }
         JsonNode metadata = workplace.readJson("b/sunbeam.json");
         assertThat(metadata.path("axes").path(2).path("count").asInt()).isEqualTo(file.getInt(20));

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,10 +17,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.terminal.ExitCode;
 
 final class InspectCommandTest extends CommandLineFixture {
-    private String picture() {
-        return folder.resolve("sheet.png").toString();
-    }
-
     @Test
     void aPatchIsTold() throws IOException {
         assertSuccess(sunbeam("inspect disc --output @sheet.png"));
@@ -30,9 +25,9 @@ final class InspectCommandTest extends CommandLineFixture {
                 .containsPattern(" across (0|180) degrees: first-order colors at 14 to 26 degrees")
                 .contains("51.2 um x 51.2 um, 1024 x 1024 samples", "relief 110 nm", "steeper than 30 degrees")
                 .containsPattern("period +1600.* nm, 95 % interval 1[56]")
-                .endsWith(picture() + System.lineSeparator());
+                .endsWith(folder.resolve("sheet.png") + System.lineSeparator());
         assertThat(out.toString()).hasLineCount(6);
-        BufferedImage sheet = ImageIO.read(new File(picture()));
+        BufferedImage sheet = ImageIO.read(folder.resolve("sheet.png").toFile());
         assertThat(sheet.getWidth()).isGreaterThan(1000);
         assertThat(sheet.getHeight()).isGreaterThan(1000);
     }
@@ -126,7 +121,8 @@ final class InspectCommandTest extends CommandLineFixture {
         assertThat(out.toString())
                 .contains("size      2 mm x 1 mm", "plan      none;", "--coherence-length 65 um", "crop the patch")
                 .doesNotContain("cost ");
-        assertThat(ImageIO.read(new File(picture())).getWidth()).isGreaterThan(1000);
+        assertThat(ImageIO.read(folder.resolve("sheet.png").toFile()).getWidth())
+                .isGreaterThan(1000);
         inspectScan(0, " --width 2mm --json");
         JsonNode report = new ObjectMapper().readTree(out.toString());
         assertThat(report.get("plan").isNull()).isTrue();

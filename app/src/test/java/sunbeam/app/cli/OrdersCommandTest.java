@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Arrays;
 import javax.imageio.ImageIO;
 import org.apache.commons.math3.special.BesselJ;
@@ -18,10 +17,6 @@ import sunbeam.app.terminal.ExitCode;
 class OrdersCommandTest extends CommandLineFixture {
     private int run(String options) {
         return sunbeam("orders --force --output @o " + options);
-    }
-
-    private Path file(String name) {
-        return folder.resolve(name);
     }
 
     private static JsonNode order(JsonNode incidence, int m) {
@@ -58,14 +53,14 @@ class OrdersCommandTest extends CommandLineFixture {
         // Order -3 leaves the hemisphere at 2500 nm (1 - sin 20) / 3 = 548.3 nm.
         assertThat(order(incidence, -3).get("beyond_horizon_from_m").asDouble()).isCloseTo(550e-9, within(1e-15));
         assertThat(order(incidence, -3).get("efficiency")).hasSize(15);
-        assertThat(ImageIO.read(file("o.png").toFile()).getHeight()).isGreaterThan(1500);
+        assertThat(ImageIO.read(folder.resolve("o.png").toFile()).getHeight()).isGreaterThan(1500);
     }
 
     @Test
     void theTableIsAListOfDirectionsAndAddsUp() throws IOException {
         assertSuccess(run("lamellar --theta-i 30 --phi-i 90 --wavelengths 500 --index 0.97+6.5i"));
 
-        assertThat(file("o.csv"))
+        assertThat(folder.resolve("o.csv"))
                 .content()
                 .startsWith("theta_i,phi_i,theta_r,phi_r,wavelength,m,n,efficiency,low,high,sum,mirror\n");
         double[][] rows = rows("o.csv");
@@ -116,9 +111,9 @@ class OrdersCommandTest extends CommandLineFixture {
     @Test
     void theNameOfTheFilesHasNoEnding() {
         assertSuccess(sunbeam("orders blaze --wavelengths 500 --output @a.csv"));
-        assertThat(file("a.csv")).exists();
-        assertThat(file("a.png")).exists();
-        assertThat(file("a.csv.csv")).doesNotExist();
+        assertThat(folder.resolve("a.csv")).exists();
+        assertThat(folder.resolve("a.png")).exists();
+        assertThat(folder.resolve("a.csv.csv")).doesNotExist();
         assertComplaint(ExitCode.USAGE, "orders blaze --wavelengths 500 --output ", "--output '' names no file");
     }
 
@@ -138,10 +133,10 @@ class OrdersCommandTest extends CommandLineFixture {
             @wide.txt --columns=512 --width=5mm --height-unit=nm --periodic | 2 | too many for this patch of 26316 orders
             """)
     void mistakesAreOneLine(String arguments, int code, String start) throws IOException {
-        Files.writeString(file("wide.txt"), "0 ".repeat(256) + "50 ".repeat(256));
+        Files.writeString(folder.resolve("wide.txt"), "0 ".repeat(256) + "50 ".repeat(256));
         assertThat(run(arguments)).as("%s", err).isEqualTo(code);
         assertThat(err.toString().lines().filter(line -> !line.startsWith("warning")))
                 .anyMatch(line -> line.contains(start));
-        assertThat(file("o.csv")).doesNotExist();
+        assertThat(folder.resolve("o.csv")).doesNotExist();
     }
 }

@@ -191,15 +191,11 @@ final class SmallCommandsTest extends CommandLineFixture {
     /** A short window and a coarse tolerance make small tables. */
     private static final String SMALL_TABLES = " --size 16 --samples 4 --coherence-length 4um";
 
-    private int benchmark(String words) {
-        return sunbeam("benchmark " + words);
-    }
-
     @Test
     @NeedsDisplay
     void oneMethodStandsBesideTheThesisOnEachSurface() throws IOException {
-        assertSuccess(
-                benchmark("--json --patch lamellar --patch lamellar --method table --tolerance 1e-2" + SMALL_TABLES));
+        assertSuccess(sunbeam(
+                "benchmark --json --patch lamellar --patch lamellar --method table --tolerance 1e-2" + SMALL_TABLES));
 
         JsonNode rows = new ObjectMapper().readTree(out.toString()).get("measured");
         assertThat(rows.findValuesAsText("patch")).containsExactly("lamellar", "lamellar", "lamellar-2", "lamellar-2");
@@ -219,9 +215,9 @@ final class SmallCommandsTest extends CommandLineFixture {
     @NeedsDisplay
     void thePageHasEveryMethodAndItsNumbers() throws Exception {
         Path page = folder.resolve("speed.md");
-        String words = "--patch lamellar --tolerance 1e-1 --output " + page + SMALL_TABLES;
+        String words = "benchmark --patch lamellar --tolerance 1e-1 --output " + page + SMALL_TABLES;
 
-        assertSuccess(benchmark(words));
+        assertSuccess(sunbeam(words));
 
         String[] rows = {"| full, thesis", "| full, tolerance 1e-1", "| table, tolerance 1e-1", "| nmm", "| pq", "| gem"
         };
@@ -234,16 +230,16 @@ final class SmallCommandsTest extends CommandLineFixture {
         assertThat(numbers.get(0)).startsWith("patch,method,pixels,");
         assertThat(numbers).hasSize(1 + 6);
         assertThat(numbers.get(6)).as("a method without a scale has no error").contains(",0,NaN,NaN,NaN,");
-        assertThat(benchmark(words)).as("an earlier benchmark's page stays").isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertThat(sunbeam(words)).as("an earlier benchmark's page stays").isEqualTo(ExitCode.OUTPUT_EXISTS.code());
     }
 
     @Test
     void whatIsWrongIsToldBeforeAnythingIsMeasured() {
-        assertThat(benchmark("--samples -1")).isEqualTo(2);
-        assertThat(benchmark("--patch lamellar --patch no-such-patch")).isEqualTo(4);
-        assertThat(benchmark("--patch lamellar --output " + folder.resolve("speed")))
+        assertThat(sunbeam("benchmark --samples -1")).isEqualTo(2);
+        assertThat(sunbeam("benchmark --patch lamellar --patch no-such-patch")).isEqualTo(4);
+        assertThat(sunbeam("benchmark --patch lamellar --output " + folder.resolve("speed")))
                 .isEqualTo(2);
-        assertThat(benchmark("--patch lamellar --output " + folder.resolve(".md")))
+        assertThat(sunbeam("benchmark --patch lamellar --output " + folder.resolve(".md")))
                 .isEqualTo(2);
         assertThat(out.toString()).isEmpty();
         assertThat(err.toString().lines()).hasSize(4);

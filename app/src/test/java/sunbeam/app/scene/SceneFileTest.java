@@ -42,10 +42,6 @@ class SceneFileTest {
     @TempDir
     private Path folder;
 
-    static Iterable<String> names() {
-        return Scenes.builtIn();
-    }
-
     private Path write(String text) throws IOException {
         return Files.writeString(folder.resolve("scene.json"), text);
     }
@@ -166,7 +162,7 @@ class SceneFileTest {
     }
 
     @ParameterizedTest
-    @MethodSource("names")
+    @MethodSource("sunbeam.app.scene.Scenes#builtIn")
     void builtInScenesAreReadAndWrittenAlikeAndHaveASmallPicture(String name) throws IOException {
         Scene scene = Scenes.load(name);
         Path file = folder.resolve(name + ".json");

@@ -90,17 +90,20 @@ class RadialBakerTest {
         float[] xyz = baker(spectrum, ENSEMBLE, STEP).bake(places, done::addAndGet);
         assertThat(done.get()).isEqualTo(places.length / 3);
         ExactLight reference = ENSEMBLE.over(map, CieTable.load());
-        double[] errors = new double[places.length / 3];
-        for (int i = 0; i < errors.length; i++) {
+        return errors(xyz, i -> {
             DirectionPair pair = DirectionPairs.of(places[3 * i], places[3 * i + 1], places[3 * i + 2]);
-            double[] exact = reference.xyz(pair, ExactLight.Quadrature.INTEGRATED);
-            errors[i] = error(Arrays.copyOfRange(xyz, 3 * i, 3 * i + 3), exact);
-        }
-        Arrays.sort(errors);
-        return errors;
+            return reference.xyz(pair, ExactLight.Quadrature.INTEGRATED);
+        });
     }
 
-    /** Relative to the largest of X, Y, Z; 0 in the dark. */
+    /** Sorted errors, relative to the largest of X, Y, Z; 0 in the dark. */
+    private static double[] errors(float[] xyz, IntFunction<double[]> exact) {
+        return IntStream.range(0, xyz.length / 3)
+                .mapToDouble(i -> error(Arrays.copyOfRange(xyz, 3 * i, 3 * i + 3), exact.apply(i)))
+                .sorted()
+                .toArray();
+    }
+
     private static double error(float[] xyz, double[] exact) {
         double largest = Arrays.stream(exact).max().orElseThrow();
         double difference = IntStream.range(0, 3)
@@ -177,12 +180,7 @@ class RadialBakerTest {
         RadialBaker colors = smallBaker();
         float[] exact = colors.direct().bake(places, ColorBaker.Token.NONE);
         float[] xyz = colors.bake(places, ColorBaker.Token.NONE);
-        double[] errors = new double[places.length / 3];
-        for (int i = 0; i < errors.length; i++) {
-            double[] single = {exact[3 * i], exact[3 * i + 1], exact[3 * i + 2]};
-            errors[i] = error(Arrays.copyOfRange(xyz, 3 * i, 3 * i + 3), single);
-        }
-        Arrays.sort(errors);
+        double[] errors = errors(xyz, i -> new double[] {exact[3 * i], exact[3 * i + 1], exact[3 * i + 2]});
         // On this line more places are as dark as 1e-6 than in colorsAreThoseOfTheReference.
         check(errors, 1e-4, 5e-3);
     }

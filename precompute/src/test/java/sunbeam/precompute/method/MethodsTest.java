@@ -19,7 +19,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.FieldSource;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.LevelBakers.Lazy;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
@@ -47,12 +47,8 @@ class MethodsTest {
     private static final Choices REFERENCE = Choices.none().with(Methods.METHOD, ReferenceMethod.TYPE);
     private static final Choices THESIS = Choices.none().with(PRESET, Preset.THESIS);
 
-    private static Iterable<MethodType> types() {
-        return Methods.ALL;
-    }
-
     @ParameterizedTest
-    @MethodSource("types")
+    @FieldSource("sunbeam.precompute.method.Methods#ALL")
     void eachTypeMakesItsOwnMethodFromSettingsThatAreDeclared(MethodType type) {
         assertThat(Methods.of(Choices.none().with(Methods.METHOD, type)).type()).isSameAs(type);
         assertThat(Methods.SETTINGS).containsAll(type.settings()).doesNotHaveDuplicates();

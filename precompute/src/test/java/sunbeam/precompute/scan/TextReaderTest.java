@@ -35,11 +35,12 @@ class TextReaderTest {
 
     /** Of a matrix of two rows or more. */
     private double[] read(String text, Optional<TextReader.DecimalMark> mark) throws IOException {
-        try (ScanBytes file = ScanBytes.open(Files.writeString(folder.resolve("scan.txt"), text))) {
-            return TextReader.channels(TextFile.of(file, mark).orElseThrow())
-                    .get(0)
-                    .samples()
-                    .read();
+        return channel(text.getBytes(StandardCharsets.UTF_8), mark).samples().read();
+    }
+
+    private ScanChannel channel(byte[] text, Optional<TextReader.DecimalMark> mark) throws IOException {
+        try (ScanBytes file = ScanBytes.open(Files.write(folder.resolve("scan.txt"), text))) {
+            return TextReader.channels(TextFile.of(file, mark).orElseThrow()).get(0);
         }
     }
 
@@ -115,14 +116,11 @@ class TextReaderTest {
         String points = IntStream.range(0, SIDE)
                 .mapToObj(i -> i % 4 + "\t" + i / 4 + "\t" + i * i + "\n")
                 .collect(Collectors.joining());
-        try (ScanBytes file = ScanBytes.open(Files.writeString(folder.resolve("scan.txt"), header + "\n" + points))) {
-            ScanChannel channel = TextReader.channels(
-                            TextFile.of(file, Optional.empty()).orElseThrow())
-                    .get(0);
-            assertThat(channel.unit()).isEqualTo("nm");
-            // Rounding of the unit's factor.
-            assertThat(channel.extent().width().orElseThrow()).isCloseTo(4e-6, within(1e-20));
-        }
+        String text = header + "\n" + points;
+        ScanChannel channel = channel(text.getBytes(StandardCharsets.UTF_8), Optional.empty());
+        assertThat(channel.unit()).isEqualTo("nm");
+        // Rounding of the unit's factor.
+        assertThat(channel.extent().width().orElseThrow()).isCloseTo(4e-6, within(1e-20));
     }
 
     @Test
@@ -174,18 +172,13 @@ class TextReaderTest {
                 1,5\t2,5\t-3
                 4,25\t5\t6
                 """.replace("\n", "\r\n");
-        Path path = folder.resolve("scan.txt");
-        Files.write(path, ((marked ? "\ufeff" : "") + text).getBytes(Charset.forName(charset)));
-        try (ScanBytes bytes = ScanBytes.open(path)) {
-            ScanChannel channel = TextReader.channels(
-                            TextFile.of(bytes, Optional.empty()).orElseThrow())
-                    .get(0);
-            assertThat(channel.columns()).isEqualTo(3);
-            // Rounding of the unit's factor.
-            assertThat(channel.extent().width().orElseThrow()).isCloseTo(5e-6, within(1e-20));
-            assertThat(channel.unit()).isEqualTo("nm");
-            assertThat(channel.samples().read()).containsExactly(1.5, 2.5, -3, 4.25, 5, 6);
-        }
+        byte[] content = ((marked ? "\ufeff" : "") + text).getBytes(Charset.forName(charset));
+        ScanChannel channel = channel(content, Optional.empty());
+        assertThat(channel.columns()).isEqualTo(3);
+        // Rounding of the unit's factor.
+        assertThat(channel.extent().width().orElseThrow()).isCloseTo(5e-6, within(1e-20));
+        assertThat(channel.unit()).isEqualTo("nm");
+        assertThat(channel.samples().read()).containsExactly(1.5, 2.5, -3, 4.25, 5, 6);
     }
 
     @ParameterizedTest

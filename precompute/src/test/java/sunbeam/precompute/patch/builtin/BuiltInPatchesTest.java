@@ -9,7 +9,6 @@ import java.util.function.IntBinaryOperator;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -26,12 +25,8 @@ class BuiltInPatchesTest {
     /** A quarter of the shortest wavelength: at grazing light and view a phase of pi between two samples. */
     private static final double COARSEST_PITCH = 380e-9 / 4;
 
-    static Stream<String> names() {
-        return BuiltInPatches.names().stream();
-    }
-
     @ParameterizedTest
-    @MethodSource("names")
+    @MethodSource("sunbeam.precompute.patch.builtin.BuiltInPatches#names")
     void isFineEnoughForVisibleLight(String name) {
         HeightMap patch = BuiltInPatches.generate(name);
         assertThat(patch.pitchX()).isLessThanOrEqualTo(COARSEST_PITCH);
