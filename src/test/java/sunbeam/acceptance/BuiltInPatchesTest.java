@@ -40,10 +40,6 @@ class BuiltInPatchesTest extends InOneWorkplace {
                     Arrays.copyOfRange(numbers, 2, 6),
                     Arrays.copyOfRange(numbers, 6, 9));
         }
-
-        boolean isOfMap() {
-            return column >= 0;
-        }
     }
 
     @BeforeAll
@@ -95,7 +91,7 @@ class BuiltInPatchesTest extends InOneWorkplace {
         NpyImage map = NpyImage.read(workplace.resolve("map.npy"), SIDE);
 
         assertWithinTolerance(of(patch, average).stream()
-                .filter(Reference::isOfMap)
+                .filter(one -> one.column() >= 0)
                 .map(one -> new Comparison(map.xyz(one.row(), one.column()), one.xyz(), 1))
                 .toList());
     }

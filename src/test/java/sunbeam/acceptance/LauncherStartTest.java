@@ -25,7 +25,8 @@ class LauncherStartTest extends InSandbox {
 
         try (RunningSunbeam running = command("brdf-map").start()) {
             Screen screen = Screen.of(running);
-            assertThat(screen.isUp()).isTrue();
+            assertThat(screen.server().isAlive()).isTrue();
+            assertThat(screen.socket()).exists();
             running.signal(signal);
 
             assertThat(running.end(PATIENCE).exitCode()).isEqualTo(exitCode);
@@ -122,17 +123,10 @@ class LauncherStartTest extends InSandbox {
                     Integer.parseInt(line.substring("screen :".length())),
                     running.process()
                             .descendants()
-                            .filter(Screen::isServer)
+                            .filter(process ->
+                                    process.info().command().orElse("").endsWith("/Xvfb"))
                             .findFirst()
                             .orElseThrow());
-        }
-
-        private static boolean isServer(ProcessHandle process) {
-            return process.info().command().orElse("").endsWith("/Xvfb");
-        }
-
-        boolean isUp() {
-            return server.isAlive() && Files.exists(socket());
         }
 
         /** Fails unless the server's process and its socket both disappear soon. */

@@ -15,16 +15,13 @@ class MapTest extends InOneWorkplace {
 
         assertThat(map.header()).contains("'descr': '<f4'", "'fortran_order': False", "'shape': (49, 49, 3)");
         assertThat(map.values()).hasSize(SIDE * SIDE * 3);
-        for (int row = 0; row < SIDE; row++) {
-            for (int column = 0; column < SIDE; column++) {
-                for (int channel = 0; channel < 3; channel++) {
-                    float value = map.at(row, column, channel);
-                    assertThat(Float.isFinite(value))
-                            .as("row %d, column %d: %s", row, column, value)
-                            .isEqualTo(map.inDisc(row, column));
-                    assertThat(value < 0).isFalse();
-                }
-            }
+        for (int i = 0; i < map.values().length; i++) {
+            float value = map.values()[i];
+            int row = i / 3 / SIDE;
+            assertThat(Float.isFinite(value))
+                    .as("row %d, column %d: %s", row, i / 3 % SIDE, value)
+                    .isEqualTo(map.inDisc(row, i / 3 % SIDE));
+            assertThat(value < 0).isFalse();
         }
     }
 

@@ -206,11 +206,10 @@ final class CertificateTest {
     }
 
     private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(65e-6);
-    private static final HeightMap MAP = new HeightMap(4, 2, 0.625e-6, 1e-6, new double[8]);
 
     @Test
     void aimedDirectionsHitOrdersWithinTheWidthOfTheWindow() {
-        DirectionSampler sampler = new DirectionSampler(MAP, WINDOW, 3);
+        DirectionSampler sampler = new DirectionSampler(new HeightMap(4, 2, 0.625e-6, 1e-6, new double[8]), WINDOW, 3);
         double sigma = WINDOW.sigmaFrequency();
         for (int i = 0; i < 300; i++) {
             Query query = sampler.aimed();

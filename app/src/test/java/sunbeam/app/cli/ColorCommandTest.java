@@ -20,8 +20,6 @@ import sunbeam.app.terminal.ExitCode;
 
 @NeedsDisplay
 class ColorCommandTest extends CommandLineFixture {
-    private static final Path SHARED = Path.of("../../shared");
-
     private int run(String options) {
         forgetOutput();
         String window = options.contains("--coherence-length") ? "" : " --coherence-length 10um";
@@ -223,7 +221,7 @@ class ColorCommandTest extends CommandLineFixture {
     @ParameterizedTest
     @CsvSource({"scans/nid-1.nid, 3, No order found", "scans/di-1.di, 3, Too little to judge"})
     void measuredSurfacesHaveTheirVerdict(String file, int code, String verdict) throws IOException {
-        Path scan = SHARED.resolve(file);
+        Path scan = Path.of("../../shared", file);
         assumeTrue(Files.exists(scan), scan + " is missing: what color says of it is not tested");
         assertThat(run("--patch " + scan + " --coherence-length 65um")).isEqualTo(code);
         assertThat(out.toString()).startsWith(verdict);

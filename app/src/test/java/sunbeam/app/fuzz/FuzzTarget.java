@@ -22,6 +22,8 @@ public final class FuzzTarget {
 
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
+    private static FuzzTarget chosen;
+
     private final FuzzedReader reader;
     private final Path file;
 
@@ -45,20 +47,11 @@ public final class FuzzTarget {
 
     /** Called by Jazzer for each input, for the reader that the system property {@link #READER} names. */
     public static void fuzzerTestOneInput(byte[] input) throws IOException {
-        Chosen.TARGET.assertReadOrRefusedInTime(input);
-    }
-
-    private static final class Chosen {
-        private static final FuzzTarget TARGET = target();
-
-        private static FuzzTarget target() {
-            try {
-                return new FuzzTarget(
-                        FuzzedReader.of(System.getProperty(READER)), Files.createTempDirectory("sunbeam-fuzz"));
-            } catch (IOException failure) {
-                throw new IllegalStateException(failure);
-            }
+        if (chosen == null) {
+            Path folder = Files.createTempDirectory("sunbeam-fuzz");
+            chosen = new FuzzTarget(FuzzedReader.of(System.getProperty(READER)), folder);
         }
+        chosen.assertReadOrRefusedInTime(input);
     }
 
     /**

@@ -6,19 +6,14 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.Tile;
-import jrtr.gl.FloatTarget;
-import jrtr.gl.ShaderProgram;
-import jrtr.glsl.ShaderLibrary;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.Shaders;
 import sunbeam.app.render.DrawRequest.SceneBlocks;
 import sunbeam.app.render.PixelPicture.LitPixels;
 import sunbeam.app.scene.SceneColor;
@@ -148,10 +143,7 @@ class PixelSamplesTest extends InAContext {
     }
 
     private static final double SIGMA = 1e-3;
-    private static final int LEVELS = 9;
-    private static final float[] CENTER = {0.3f, 0.2f, -1.1f};
     private static final int MOST_TAPS = 8;
-    private static final double SPACING = 1.6;
     private static final String TEXT = """
             #version 330 core
             #include "include/footprint.glsl"
@@ -175,22 +167,17 @@ class PixelSamplesTest extends InAContext {
     }
 
     private Footprint find(float[] du, float[] dv, double slope, int pointLevels, int samplesAcross) {
-        ShaderLibrary library = name -> name.equals("find.frag") ? Optional.of(TEXT) : Optional.empty();
-        try (ShaderProgram program = context.createFullScreenProgram(
-                        library.orElse(Shaders.library()).load("find.frag"));
-                FloatTarget target = context.createFloatTarget("footprint", FloatTarget.Spec.color(2, 1))) {
+        float[] found = drawn(TEXT, 2, 1, Map.of(), program -> {
             program.set("pointLevels", (float) pointLevels);
             program.set("finestVariance", (float) (SIGMA * SIGMA));
-            program.set("levels", LEVELS);
+            program.set("levels", 9);
             program.set("mostTaps", (float) MOST_TAPS);
             program.set("samplesAcross", (float) samplesAcross);
             program.set("slopeVariance", (float) (slope * slope));
             program.set("du", new Vector3f(du));
             program.set("dv", new Vector3f(dv));
-            context.drawFullScreen(program, Map.of(), target, Tile.whole(2, 1));
-            float[] found = target.read(0);
-            return new Footprint((int) found[3], (int) found[7], new double[] {found[4], found[5], found[6]});
-        }
+        });
+        return new Footprint((int) found[3], (int) found[7], new double[] {found[4], found[5], found[6]});
     }
 
     private Footprint find(float[] du, float[] dv) {
@@ -220,7 +207,7 @@ class PixelSamplesTest extends InAContext {
     })
     void tapsAndLevelTogetherVaryAsThePixelDoes(double ux, double uy, double vx, double vy, double slope) {
         double mesh = SIGMA * SIGMA * (ux * ux + uy * uy + vx * vx + vy * vy) / 12;
-        double relief = 2 * Math.pow(slope * CENTER[2] * SIGMA, 2);
+        double relief = 2 * Math.pow(slope * 1.1 * SIGMA, 2);
 
         Footprint footprint = find(change(ux, uy), change(vx, vy), slope * SIGMA, 0, 1);
         double found = footprint.variance();
@@ -244,7 +231,7 @@ class PixelSamplesTest extends InAContext {
         assertThat(found.taps()).isLessThanOrEqualTo(MOST_TAPS);
         double length = Math.hypot(found.axis()[0], found.axis()[1]);
         double shown = SIGMA * Math.pow(2, 0.5 * found.level());
-        assertThat(length / found.taps() / shown).as("distance of taps").isLessThanOrEqualTo(1.001 * SPACING);
+        assertThat(length / found.taps() / shown).as("distance of taps").isLessThanOrEqualTo(1.001 * 1.6);
     }
 
     @Test

@@ -202,12 +202,11 @@ class SceneMethodsTest extends InAScene {
     private static final Optional<SceneColor> WHITE = Optional.of(new SceneColor(0xffffff));
     private static final Choices NONE = around(Optional.empty(), 0, false);
     private static final Choices GROUND = around(WHITE, 0, false);
-    private static final Choices SHADED = around(WHITE, 0, true);
 
     @Test
     void aSphereShadesTheGroundBehindItAndNotBeforeIt() {
         float[] lit = draw(GROUND, scene -> scene);
-        float[] shaded = draw(SHADED, scene -> scene);
+        float[] shaded = draw(around(WHITE, 0, true), scene -> scene);
         // The shadow's middle is as far to the right as the sphere's is above the ground.
         assertThat(luminance(shaded, 0.16, 0)).isLessThan(0.4f * luminance(lit, 0.16, 0));
         assertThat(luminance(shaded, -0.16, 0)).isCloseTo(luminance(lit, -0.16, 0), within(1e-4f));

@@ -26,7 +26,9 @@ class ComponentsTest {
     @Test
     void aPictureOfFewPixelsIsLinearBetweenTheirMiddles() {
         BufferedImage few = random(7, 5);
-        BufferedImage many = enlarged(few, 19, 15);
+        PictureView view = new PictureView();
+        view.showPicture(few, 19, 15);
+        BufferedImage many = view.picture().orElseThrow();
         for (int y = 0; y < 15; y++) {
             for (int x = 0; x < 19; x++) {
                 double fromLeft = Math.max(0, Math.min(6, (x + 0.5) * 7 / 19 - 0.5));
@@ -67,12 +69,6 @@ class ComponentsTest {
 
     private static int[] painted(JComponent component) {
         return Pictures.pixels(ViewerInAWindow.painted(component));
-    }
-
-    private static BufferedImage enlarged(BufferedImage few, int width, int height) {
-        PictureView view = new PictureView();
-        view.showPicture(few, width, height);
-        return view.picture().orElseThrow();
     }
 
     private static BufferedImage random(int width, int height) {

@@ -68,8 +68,6 @@ final class ViewerWindowTest extends ViewerInAWindow {
         assertThat(different(near, picture(), true)).isPositive();
     }
 
-    private static final SceneLight OTHER = new SceneLight(new Vector3f(-0.3f, -0.6f, -0.42f), 1, 0);
-
     @Test
     void aWindowOfNoSizeGoesOnAndComesBack() throws Exception {
         BufferedImage before = picture();
@@ -139,7 +137,7 @@ final class ViewerWindowTest extends ViewerInAWindow {
     }
 
     private void moveLight() throws Exception {
-        change(scene -> scene.withLight(OTHER));
+        change(scene -> scene.withLight(new SceneLight(new Vector3f(-0.3f, -0.6f, -0.42f), 1, 0)));
     }
 
     private static final int TOP_LABELS = 40;

@@ -1,10 +1,8 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.SplittableRandom;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
@@ -36,7 +34,6 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
         CLIPPED
     }
 
-    private static final Set<Kind> SIDEWAYS = EnumSet.of(Kind.SLIPPED, Kind.SLIPPED_OFTEN);
     private static final double SMOOTH = 0.05;
 
     /** The program's estimate for the measured part of the scan; empty where it refuses. */
@@ -93,7 +90,7 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
                 case ABORTED -> Math.min(row, first);
                 default -> row;
             };
-            boolean sideways = SIDEWAYS.contains(kind);
+            boolean sideways = kind == Kind.SLIPPED || kind == Kind.SLIPPED_OFTEN;
             for (int column = 0; column < draw.columns(); column++) {
                 boolean other = kind == Kind.SIDE_BY_SIDE ? column >= draw.columns() / 2 : row >= rows / 2;
                 double wider = other ? ratio : 1;

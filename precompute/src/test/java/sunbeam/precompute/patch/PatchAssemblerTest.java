@@ -16,7 +16,6 @@ import java.util.Optional;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,9 +43,7 @@ class PatchAssemblerTest {
         Path file = Files.writeString(
                 folder.resolve("scan.txt"),
                 "# Channel: Height\n# Width: 4.8 um\n# Height: 4.8 um\n# Value units: nm\n" + rows + "\n");
-        Stream<Object> level = Stream.of(LEVEL, "plane");
-        return PatchRequests.load(
-                file, Stream.concat(level, Arrays.stream(choices)).toArray());
+        return PatchRequests.load(file, choices);
     }
 
     /** Lines 17.3 samples apart, 80 nm high, with a small waviness. */

@@ -192,8 +192,6 @@ class PlannerTest {
 
     private static final int SIDE = 64;
     private static final double WIDTH = 12e-6;
-    private static final double PERIOD = 1e-6;
-    private static final double RELIEF = 100e-9;
     private final SplittableRandom random = new SplittableRandom(8);
 
     @Test
@@ -208,7 +206,7 @@ class PlannerTest {
 
     @Test
     void betweenTheOrdersOfAGratingItIsDark() {
-        Roughness grating = measured(sample -> Math.sin(2 * Math.PI * (sample % SIDE) * WIDTH / SIDE / PERIOD), WIDTH);
+        Roughness grating = measured(sample -> Math.sin(2 * Math.PI * (sample % SIDE) * WIDTH / SIDE / 1e-6), WIDTH);
         assertTrue(grating.areOrdersIsolated() && !grating.isRough(), grating.toString());
     }
 
@@ -220,7 +218,7 @@ class PlannerTest {
 
     private static Roughness measured(IntToDoubleFunction shape, double coherenceLength) {
         return Roughness.measure(
-                Surfaces.sampled(SIDE, SIDE, WIDTH / SIDE, (x, y) -> RELIEF * shape.applyAsDouble(y * SIDE + x)),
+                Surfaces.sampled(SIDE, SIDE, WIDTH / SIDE, (x, y) -> 100e-9 * shape.applyAsDouble(y * SIDE + x)),
                 CoherenceWindow.ofCoherenceLength(coherenceLength),
                 WindowOrigin.CENTRE,
                 VisibleRange.all(),

@@ -14,11 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
-import jrtr.Tile;
-import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
-import jrtr.gl.ShaderProgram;
-import jrtr.glsl.ShaderLibrary;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -124,7 +120,6 @@ class ExportTest extends InAContext {
     }
 
     private float[] drawn(String shader) {
-        ShaderLibrary library = name -> name.equals("test.frag") ? Optional.of(shader) : Optional.empty();
         FloatTexture.Spec spec = FloatTexture.Spec.array(TABLE, TABLE, SLICES, FloatTexture.Format.RGBA32F)
                 .with(FloatTexture.Filter.LINEAR);
         SplittableRandom random = new SplittableRandom(3);
@@ -133,14 +128,11 @@ class ExportTest extends InAContext {
             roots[i] = (float) (256 * random.nextDouble());
         }
         String sampler = shader.replaceFirst("(?s).*?uniform (?:highp )?sampler2DArray (\\w+).*", "$1");
-        try (ShaderProgram program = context.createFullScreenProgram(library.load("test.frag"));
-                FloatTexture table = context.createFloatTexture("table", spec);
-                FloatTarget target = context.createFloatTarget("test", FloatTarget.Spec.color(SIDE, SIDE))) {
+        try (FloatTexture table = context.createFloatTexture("table", spec)) {
             for (int slice = 0; slice < SLICES; slice++) {
                 table.uploadLayer(slice, FloatBuffer.wrap(roots, slice * LAYER, LAYER));
             }
-            context.drawFullScreen(program, Map.of(sampler, table), target, Tile.whole(SIDE, SIDE));
-            return target.read(0);
+            return drawn(shader, SIDE, SIDE, Map.of(sampler, table), program -> {});
         }
     }
 

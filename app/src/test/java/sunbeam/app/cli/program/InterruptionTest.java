@@ -76,17 +76,13 @@ final class InterruptionTest {
         public static void main(String[] arguments) throws InterruptedException {
             try (AtomicFile file = AtomicFile.create(Path.of(arguments[0]), Overwrite.REFUSE)) {
                 System.out.println("ready");
-                awaitItsEnd(file.path());
+                while (Files.exists(file.path())) {
+                    TimeUnit.MILLISECONDS.sleep(1);
+                }
                 file.fill(stream -> stream.write(new byte[LENGTH]));
             } catch (CancelledException expected) {
                 return;
             }
-        }
-    }
-
-    private static void awaitItsEnd(Path file) throws InterruptedException {
-        while (Files.exists(file)) {
-            TimeUnit.MILLISECONDS.sleep(1);
         }
     }
 

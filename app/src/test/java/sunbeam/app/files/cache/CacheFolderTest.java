@@ -88,7 +88,7 @@ final class CacheFolderTest {
     private int made;
 
     private byte[] get(String build, String name, int most) {
-        return new BlobCache(Optional.ofNullable(build), cacheFolder(), warnings::add).get(name, most, () -> {
+        return new BlobCache(Optional.ofNullable(build), cache(Map.of()), warnings::add).get(name, most, () -> {
             made++;
             return new byte[] {1, 2, 3};
         });
@@ -98,12 +98,8 @@ final class CacheFolderTest {
         return get("build", "name", MOST);
     }
 
-    private CacheFolder cacheFolder() {
-        return CacheFolder.of(new Environment(Map.of(), home));
-    }
-
     private Path file() {
-        return cacheFolder().entries().get(0).file();
+        return cache(Map.of()).entries().get(0).file();
     }
 
     @Test
@@ -161,7 +157,7 @@ final class CacheFolderTest {
     void heightsComeBackToTheLastBit() {
         HeightMap map = new HeightMap(3, 2, 1e-7, 2e-7, new double[] {0, 1e-9, Math.PI, -0.0, 4, 5});
         for (int run = 0; run < 2; run++) {
-            HeightMap kept = new BlobCache(Optional.of("build"), cacheFolder(), warnings::add).heights("map", () -> {
+            HeightMap kept = new BlobCache(Optional.of("build"), cache(Map.of()), warnings::add).heights("map", () -> {
                 made++;
                 return map;
             });
@@ -171,12 +167,12 @@ final class CacheFolderTest {
             assertThat(kept.digest()).isEqualTo(map.digest());
         }
         assertThat(made).isEqualTo(1);
-        assertThat(cacheFolder().entries().get(0).label().what()).isEqualTo("heights of map");
+        assertThat(cache(Map.of()).entries().get(0).label().what()).isEqualTo("heights of map");
     }
 
     @Test
     void numbersOfHeightsComeBackToTheLastBit() {
-        BlobCache kept = new BlobCache(Optional.of("build"), cacheFolder(), warnings::add);
+        BlobCache kept = new BlobCache(Optional.of("build"), cache(Map.of()), warnings::add);
         HeightMap map = new HeightMap(2, 1, 1, 1, new double[] {1, 2});
         HeightMap other = new HeightMap(2, 1, 1, 1, new double[] {1, 3});
         for (HeightMap each : List.of(map, map, other)) {

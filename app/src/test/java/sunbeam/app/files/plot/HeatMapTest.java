@@ -12,13 +12,10 @@ import sunbeam.app.files.plot.Plot.Axis;
 import sunbeam.app.files.plot.Plot.Frame;
 
 final class HeatMapTest {
-    private static final int WIDTH = 500;
-    private static final int HEIGHT = 400;
-
     private static HeatMap map(double[][] rows, HeatMap.Reduction reduction) {
         HeatMap.Colors colors = new HeatMap.Colors("value", 0, 1, Plot.Scale.LINEAR, HeatMap.ColorMap.GRAY);
         return new HeatMap(
-                new HeatMap.Frame("", "x", "y", WIDTH, HEIGHT, false),
+                new HeatMap.Frame("", "x", "y", 500, 400, false),
                 new HeatMap.Values(rows, new double[] {0, 10}, new double[] {0, 10}, colors, reduction));
     }
 

@@ -10,22 +10,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Random;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
-import jrtr.Tile;
-import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
-import jrtr.gl.ShaderProgram;
-import jrtr.glsl.ShaderLibrary;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.cli.FileCommand;
 import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.Shaders;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.optics.HeightMap;
@@ -121,10 +115,6 @@ class AutoExposureTest extends InAContext {
                 .isEqualTo(exposure(luminances));
     }
 
-    private static final BufferedImage BLACK = new BufferedImage(32, 32, BufferedImage.TYPE_INT_RGB);
-    private static final Patch MIRROR = patch(0);
-    // Half a nanometer: 7e-5 of the light at most.
-    private static final Patch NEARLY_FLAT = patch(0.5e-9);
     private static final Patch STEP = patch(1e-7);
 
     private static Patch patch(double step) {
@@ -149,8 +139,9 @@ class AutoExposureTest extends InAContext {
 
     @Test
     void theMapOfAMirrorIsDoubtful() {
-        assertThat(judge(MIRROR, lit(), false)).isEqualTo(3);
-        assertThat(judge(NEARLY_FLAT, lit(), false)).isEqualTo(3);
+        assertThat(judge(patch(0), lit(), false)).isEqualTo(3);
+        // Half a nanometer: 7e-5 of the light at most.
+        assertThat(judge(patch(0.5e-9), lit(), false)).isEqualTo(3);
         assertThat(judge(STEP, lit(), false)).isZero();
         assertThat(said.toString()).isEmpty();
     }
@@ -158,7 +149,8 @@ class AutoExposureTest extends InAContext {
     @ParameterizedTest
     @CsvSource({"false, let the exposure be automatic", "true, move the light"})
     void aBlackMapIsDoubtfulAndSaysWhatHelps(boolean automatic, String remedy) {
-        assertThat(judge(STEP, BLACK, automatic)).isEqualTo(3);
+        assertThat(judge(STEP, new BufferedImage(32, 32, BufferedImage.TYPE_INT_RGB), automatic))
+                .isEqualTo(3);
         assertThat(said.toString())
                 .contains("warning: the map is black all over")
                 .contains(remedy);
@@ -196,20 +188,15 @@ class AutoExposureTest extends InAContext {
         for (int i = 0; i < colors.size(); i++) {
             System.arraycopy(colors.get(i), 0, texels, 4 * i, 4);
         }
-        ShaderLibrary library = name -> name.equals("test.frag") ? Optional.of(shader) : Optional.empty();
         float[] shown;
         try (FloatTexture texture = context.createFloatTexture(
-                        "xyz", FloatTexture.Spec.flat(colors.size(), 1, FloatTexture.Format.RGBA32F));
-                ShaderProgram program = context.createFullScreenProgram(
-                        library.orElse(Shaders.library()).load("test.frag"));
-                FloatTarget target = context.createFloatTarget("test", FloatTarget.Spec.color(colors.size(), 1))) {
+                "xyz", FloatTexture.Spec.flat(colors.size(), 1, FloatTexture.Format.RGBA32F))) {
             texture.upload(texels);
-            program.set("exposure", (float) exposure);
-            program.set("toneStart", (float) tone.start());
-            context.drawFullScreen(program, Map.of("xyz", texture), target, Tile.whole(colors.size(), 1));
-            shown = target.read(0);
+            shown = drawn(shader, colors.size(), 1, Map.of("xyz", texture), program -> {
+                program.set("exposure", (float) exposure);
+                program.set("toneStart", (float) tone.start());
+            });
         }
-
         double[] expected = new double[3];
         for (int i = 0; i < colors.size(); i++) {
             new DisplayTransform(exposure, tone).light(colors.get(i), 0, expected);

@@ -16,8 +16,6 @@ import sunbeam.precompute.files.InputException;
 
 /** Textures of bodies, from files and of scales. */
 class BodyTexturesTest {
-    private static final long HEAP = 512L << 20;
-
     @TempDir
     private Path folder;
 
@@ -64,7 +62,7 @@ class BodyTexturesTest {
         // Width and height in the header; readers check its checksum after the size.
         ByteBuffer.wrap(png).putInt(16, 8000).putInt(20, 8000);
         Files.write(file(), png);
-        assertThatThrownBy(() -> BodyTexture.read("texture", file(), "", HEAP))
+        assertThatThrownBy(() -> BodyTexture.read("texture", file(), "", 512L << 20))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("8000 x 8000", "too many for Java's memory", "SUNBEAM_JAVA_OPTIONS=-Xmx1024m");
     }
