@@ -262,23 +262,13 @@ class PlacedMeshTest extends InARendering {
                     coordinates[2 * i + 1] = 1 - (float) row / rows;
                 }
             }
-            return new VertexData(positions, positions.clone(), tangents, coordinates, grid(columns, rows));
-        }
-
-        /** Rows go down, columns to the right. */
-        private static int[] grid(int columns, int rows) {
-            int[] indices = new int[6 * columns * rows];
-            int next = 0;
-            for (int row = 0; row < rows; row++) {
-                for (int column = 0; column < columns; column++) {
-                    int upper = row * (columns + 1) + column;
-                    int lower = upper + columns + 1;
-                    for (int index : new int[] {upper, lower, lower + 1, upper, lower + 1, upper + 1}) {
-                        indices[next++] = index;
-                    }
-                }
-            }
-            return indices;
+            // Two triangles from each upper left corner; rows go down, columns to the right.
+            int[] indices = IntStream.range(0, columns * rows)
+                    .map(face -> face + face / columns)
+                    .flatMap(corner -> IntStream.of(0, columns + 1, columns + 2, 0, columns + 2, 1)
+                            .map(further -> corner + further))
+                    .toArray();
+            return new VertexData(positions, positions.clone(), tangents, coordinates, indices);
         }
 
         /** The square from -1 to 1 in the plane z = 0, seen from above; u along x, v along y. */

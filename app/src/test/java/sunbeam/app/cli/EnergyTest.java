@@ -50,9 +50,7 @@ class EnergyTest extends CommandLineFixture {
     }
 
     private void list(String header, List<String> rows) throws IOException {
-        List<String> lines = new ArrayList<>(List.of(header));
-        lines.addAll(rows);
-        Files.write(folder.resolve("in.csv"), lines);
+        Files.writeString(folder.resolve("in.csv"), header + "\n" + String.join("\n", rows) + "\n");
     }
 
     private double[] column(String name) throws IOException {

@@ -92,10 +92,7 @@ class SceneTableTest extends InAScene {
     @Tag("thorough")
     void reliefFinerThanAPixelHasTheMeanOfItsSlopes() {
         assertTableHasTheMeanOfPoints(
-                type -> plane(EYE, LIGHT, 20, ON_A_BODY, type)
-                        .with(Choices.none().with(SceneSettings.ROUGHNESS, Math.toRadians(1))),
-                1,
-                12);
+                type -> plane(EYE, LIGHT, 20, ON_A_BODY, type).with(SceneSettings.ROUGHNESS, Math.toRadians(1)), 1, 12);
     }
 
     /**
@@ -126,8 +123,7 @@ class SceneTableTest extends InAScene {
     private static Scene grazing(MethodType type) {
         Vector3f eye = new Vector3f(0, -0.394f, 0.0695f);
         Vector3f light = new Vector3f(0, 0.765f, 0.644f);
-        return plane(eye, light, 20, ON_A_BODY, type)
-                .with(Choices.none().with(SceneSettings.ROTATE_PATCH, Math.PI / 2));
+        return plane(eye, light, 20, ON_A_BODY, type).with(SceneSettings.ROTATE_PATCH, Math.PI / 2);
     }
 
     /**
