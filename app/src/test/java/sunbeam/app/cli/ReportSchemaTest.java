@@ -19,7 +19,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Validates the JSON of every command by docs/reference/report.schema.json, which names all fields. */
 final class ReportSchemaTest extends CommandLineFixture {
-    private static final Path SCHEMA = Path.of("../docs/reference/report.schema.json");
 
     private final ObjectMapper json = new ObjectMapper();
 
@@ -36,7 +35,8 @@ final class ReportSchemaTest extends CommandLineFixture {
     }
 
     private Set<ValidationMessage> mistakes(JsonNode report, String definition) throws IOException {
-        JsonNode tree = json.readTree(SCHEMA.toFile());
+        JsonNode tree =
+                json.readTree(Path.of("../docs/reference/report.schema.json").toFile());
         JsonNode wanted =
                 json.createObjectNode().put("$ref", "#/$defs/" + definition).set("$defs", tree.get("$defs"));
         return JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012)

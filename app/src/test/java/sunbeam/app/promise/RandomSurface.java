@@ -1,5 +1,6 @@
 package sunbeam.app.promise;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import sunbeam.precompute.optics.HeightMap;
@@ -63,11 +64,10 @@ enum RandomSurface {
     /** Heights in meters of x and y in 0..1. */
     static HeightMap of(int columns, int rows, double pitch, double pitchY, DoubleBinaryOperator height) {
         double[] heights = new double[columns * rows];
-        for (int i = 0; i < heights.length; i++) {
-            int column = i % columns;
+        Arrays.setAll(heights, i -> {
             int row = i / columns;
-            heights[i] = height.applyAsDouble((double) column / columns, (double) row / rows);
-        }
+            return height.applyAsDouble(i % columns / (double) columns, (double) row / rows);
+        });
         return new HeightMap(columns, rows, pitch, pitchY, heights);
     }
 

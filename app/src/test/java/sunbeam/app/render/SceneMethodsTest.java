@@ -42,6 +42,7 @@ import sunbeam.precompute.setting.SettingException;
 class SceneMethodsTest extends InAScene {
     private static final int WIDTH = 72;
     private static final int HEIGHT = 56;
+    private static final int MIDDLE = 4 * (WIDTH * HEIGHT / 2 + WIDTH / 2) + 1;
 
     private static Scene with(MethodType type) {
         return with(Choices.none().with(METHOD, type));
@@ -91,20 +92,18 @@ class SceneMethodsTest extends InAScene {
         Scene thesis = body.with(Weights.of(0, 1, 1, 0).with(SceneSettings.BODY_ALPHA, BodyAlpha.FRESNEL));
         float[] light = draw(body);
         float[] fresnel = draw(thesis);
-        int middle = 4 * (WIDTH * HEIGHT / 2 + WIDTH / 2) + 1;
         // Half of the angle between light and view is 15 degrees: (1 - cos 15)^5 is 5e-8.
-        assertThat(fresnel[middle] / light[middle]).isCloseTo(0.96f, within(1e-4f));
+        assertThat(fresnel[MIDDLE] / light[MIDDLE]).isCloseTo(0.96f, within(1e-4f));
     }
 
     /** (1 - w) D + (1 + w) texture, whatever the light's angle; the texture is white. */
     @Test
     void theDraftsAlphaAddsTheTextureWithoutLight() {
         Scene scene = with(FullMethod.TYPE);
-        int middle = 4 * (WIDTH * HEIGHT / 2 + WIDTH / 2) + 1;
-        float lit = draw(scene.with(Weights.of(0, 1, 1, 0)))[middle];
-        float diffracted = draw(scene.with(Weights.of(1, 0, 0, 0)))[middle];
+        float lit = draw(scene.with(Weights.of(0, 1, 1, 0)))[MIDDLE];
+        float diffracted = draw(scene.with(Weights.of(1, 0, 0, 0)))[MIDDLE];
         float draft =
-                draw(scene.with(Weights.of(1, 1, 1, 0.2).with(SceneSettings.BODY_ALPHA, BodyAlpha.DRAFT)))[middle];
+                draw(scene.with(Weights.of(1, 1, 1, 0.2).with(SceneSettings.BODY_ALPHA, BodyAlpha.DRAFT)))[MIDDLE];
         assertThat(lit).isLessThan(0.95f);
         // All are float32.
         assertThat(draft).isCloseTo(0.8f * diffracted + 1.2f, within(1e-5f));
