@@ -21,7 +21,6 @@ import sunbeam.precompute.errors.Comparison;
  * lists of directions under many; and lists with analytic values.
  */
 class BuiltInPatchesTest extends InOneWorkplace {
-    private static final int SIDE = 48;
     private static final double TOLERANCE = 1e-2;
     private static final List<Reference> REFERENCES = new ArrayList<>();
 
@@ -88,7 +87,7 @@ class BuiltInPatchesTest extends InOneWorkplace {
                 "brdf-map --patch %s --theta-i 20 --force --size 48 --output map.png --linear map.npy "
                         + options(average, method),
                 patch);
-        NpyImage map = NpyImage.read(workplace.resolve("map.npy"), SIDE);
+        NpyImage map = NpyImage.read(workplace.resolve("map.npy"), 48);
 
         assertWithinTolerance(of(patch, average).stream()
                 .filter(one -> one.column() >= 0)

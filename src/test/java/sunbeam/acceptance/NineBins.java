@@ -11,8 +11,6 @@ import org.jtransforms.fft.DoubleFFT_2D;
  * spectrum or a sinc, added, squared. No expansion, double precision.
  */
 final class NineBins {
-    private static final double SIGMA_FREQUENCY = 1 / (2 * Math.PI * 65e-6 / 4);
-
     private final int columns;
     private final int rows;
     /** Samples row by row, from the top. */
@@ -38,7 +36,7 @@ final class NineBins {
 
     /** Returns the coherent power with the window on the patch's center. */
     double power(double u, double v, double w, double wavelength) {
-        double sigma = SIGMA_FREQUENCY * width;
+        double sigma = width / (2 * Math.PI * 65e-6 / 4);
         double high = (double) rows / columns;
         return power(
                 u, v, w, wavelength, true, (x, y) -> Math.exp(-(x * x + y * y / (high * high)) / (2 * sigma * sigma)));

@@ -113,9 +113,6 @@ class OutputTest extends InWorkplace {
         assertThat(result.stderr()).doesNotContain("another folder");
     }
 
-    // Drawing takes hours.
-    private static final String MAP = "brdf-map --patch blaze --size 8192 --output a.png";
-
     private SunbeamResult interrupt(String commandLine, Callable<Boolean> hasBegun) throws Exception {
         try (RunningSunbeam running = workplace.command(commandLine).start()) {
             RunningSunbeam.await("the first result", hasBegun);
@@ -136,7 +133,9 @@ class OutputTest extends InWorkplace {
 
     @Test
     void aMapLeavesNothingAndSaysNothing() throws Exception {
-        SunbeamResult result = interrupt(MAP + " --linear a.npy", this::isDrawing);
+        // Drawing takes hours.
+        SunbeamResult result =
+                interrupt("brdf-map --patch blaze --size 8192 --output a.png --linear a.npy", this::isDrawing);
 
         assertThat(result.stderr()).startsWith("plan: ").hasLineCount(1);
         assertThat(workplace.files()).isEmpty();

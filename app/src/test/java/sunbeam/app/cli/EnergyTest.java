@@ -36,7 +36,6 @@ import sunbeam.precompute.plan.VisibleRange;
 /** {@code --energy conserve} on tracks of a DVD: 740 nm wide, 120 nm deep. */
 @NeedsDisplay
 class EnergyTest extends CommandLineFixture {
-    private static final double TRACK = 740e-9;
     private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(65e-6);
 
     private static final String DISC =
@@ -69,7 +68,7 @@ class EnergyTest extends CommandLineFixture {
         for (int m = -1; m <= 1; m++) {
             for (int i = -24; i <= 24; i++) {
                 for (int j = -12; j <= 12; j++) {
-                    double x = m * 720e-9 / TRACK + i * width / 6;
+                    double x = m * 720e-9 / 740e-9 + i * width / 6;
                     double y = j * width / 4;
                     double theta = Math.toDegrees(Math.asin(Math.min(0.9999, Math.hypot(x, y))));
                     rows.add("0,0," + theta + "," + Math.toDegrees(Math.atan2(y, x)) + ",720");

@@ -21,8 +21,6 @@ import sunbeam.app.failure.Failure;
 
 /** What fuzzing has found stays mended: all readers, with 512 MB and 5 s for each input, of mutations of seeds that are read. */
 final class FuzzRegressionTest {
-    private static final int MUTATIONS = 150;
-
     @Test
     void everyReaderReadsOrRefuses(TestReporter reporter) throws Exception {
         Process process = FuzzTarget.java(FuzzRegressionTest.class.getName())
@@ -101,7 +99,7 @@ final class FuzzRegressionTest {
         List<byte[]> inputs = new ArrayList<>(List.of(new byte[0]));
         for (byte[] source : sources) {
             inputs.add(source);
-            for (int mutation = 0; mutation < MUTATIONS; mutation++) {
+            for (int mutation = 0; mutation < 150; mutation++) {
                 inputs.add(mutated(source, random));
             }
         }

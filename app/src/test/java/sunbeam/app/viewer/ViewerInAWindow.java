@@ -63,8 +63,6 @@ public abstract class ViewerInAWindow {
     static final int DRAG_RIGHT = 40;
     static final int DRAG_UP = 32;
 
-    private static final Set<String> BACKGROUND = Set.of("loading", "files", "spectrum");
-
     // The whole cylinder is visible, with background around it.
     private static final float EYE = 0.8f;
 
@@ -126,7 +124,7 @@ public abstract class ViewerInAWindow {
             onEvents(() -> null);
             // Threads that write would use the folder after its removal.
             await(() -> Thread.getAllStackTraces().keySet().stream()
-                    .noneMatch(thread -> BACKGROUND.contains(thread.getName())));
+                    .noneMatch(thread -> Set.of("loading", "files", "spectrum").contains(thread.getName())));
             Thread.setDefaultUncaughtExceptionHandler(handlerBefore);
         }
         assertThat(uncaught).as("failures that nobody caught").isEmpty();
