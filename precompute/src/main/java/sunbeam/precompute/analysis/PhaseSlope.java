@@ -64,7 +64,7 @@ record PhaseSlope(double value, double halfWidth) {
 
     /** @param across along the wave's lines instead of along the wave */
     static PhaseSlope of(HeightMap level, SpatialFrequency wave, boolean across) {
-        double azimuth = wave.azimuth() + (across ? 0.5 * Math.PI : 0);
+        double azimuth = Math.atan2(wave.y(), wave.x()) + (across ? 0.5 * Math.PI : 0);
         double length = extent(level, azimuth);
         double window = WINDOW_PERIODS * wave.period();
         int count = PER_LENGTH * (Math.max(FEWEST_WINDOWS, (int) (length / window)) - 1) + 1;

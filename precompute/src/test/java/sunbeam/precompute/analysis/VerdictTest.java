@@ -219,6 +219,21 @@ class VerdictTest {
         assertThat(found.period()).isBetween(0.92 * period, 1.08 * period);
     }
 
+    /** Waves of about 1.1 um around 20 degrees: the phase corrects the peak of a broad line by a tenth. */
+    @Test
+    void aMirrorImageHasThePeriodOfTheScan() {
+        SplittableRandom random = new SplittableRandom(2);
+        DoubleBinaryOperator broad = waves(120, random, () -> new double[] {
+            5.7e6 * (0.94 + 0.08 * random.nextGaussian()), 5.7e6 * (0.34 + 0.13 * random.nextGaussian())
+        });
+        GratingPeriod period = GratingPeriod.of(piece((x, y) -> 5e-9 * broad.applyAsDouble(x - 7.45e-6, y)));
+        GratingPeriod mirrored = GratingPeriod.of(piece((x, y) -> 5e-9 * broad.applyAsDouble(7.45e-6 - x, y)));
+        assertThat(mirrored.certainty()).isEqualTo(period.certainty()).isNotEqualTo(GratingPeriod.Certainty.NONE);
+        // Rounding of sums in the other order.
+        assertThat(mirrored.wave().x()).isCloseTo(-period.wave().x(), within(1e-3));
+        assertThat(mirrored.high()).isCloseTo(period.high(), within(1e-15));
+    }
+
     /** One cell of a hexagonal array of spheres, 0.6 um apart, each of whose waves holds less than a third of the variance. */
     @Test
     void oneCellOfAHexagonalArrayIsALattice() {
