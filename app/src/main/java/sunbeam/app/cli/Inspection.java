@@ -69,7 +69,7 @@ record Inspection(
         return new Inspection(
                 patch,
                 thetaI,
-                ModelError.of(patch.scan()),
+                ModelError.of(patch.scan(), patch.repetition()),
                 EnergyBalance.largest(patch.scan(), RefractiveIndex.KERATIN, FROM_ABOVE),
                 period,
                 HeightSpectrum.of(patch.scan(), edges),

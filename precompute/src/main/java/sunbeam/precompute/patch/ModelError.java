@@ -48,16 +48,17 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
         }
     }
 
-    /** Ignores the seam between repetitions. */
-    public static ModelError of(HeightMap map) {
+    /** The slopes of a period include those at the border to the next one. */
+    public static ModelError of(HeightMap map, Patch.Repetition repetition) {
         // Rounding must not make exactly 30 degrees steeper.
         double limit = Math.tan(Math.toRadians(STEEPEST)) * (1 + 1e-9);
         double sum = 0;
         double squares = 0;
         double largest = 0;
         double steep = 0;
-        int columns = Math.max(1, map.columns() - 1);
-        int rows = Math.max(1, map.rows() - 1);
+        int last = repetition == Patch.Repetition.PERIODIC ? 0 : 1;
+        int columns = Math.max(1, map.columns() - last);
+        int rows = Math.max(1, map.rows() - last);
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 double slope = slope(map, column, row);
@@ -73,8 +74,8 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
 
     private static double slope(HeightMap map, int column, int row) {
         double here = map.at(column, row);
-        double alongX = map.columns() > 1 ? (map.at(column + 1, row) - here) / map.pitchX() : 0;
-        double alongY = map.rows() > 1 ? (map.at(column, row + 1) - here) / map.pitchY() : 0;
+        double alongX = (map.at((column + 1) % map.columns(), row) - here) / map.pitchX();
+        double alongY = (map.at(column, (row + 1) % map.rows()) - here) / map.pitchY();
         return Math.sqrt(alongX * alongX + alongY * alongY);
     }
 

@@ -73,7 +73,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         Plausibility.mirror(scan).ifPresent(warnings::add);
         Plausibility.pitch(surface).ifPresent(warnings::add);
         // Before blending, which bends the border.
-        ModelError.of(scan).warning().ifPresent(warnings::add);
+        ModelError.of(scan, repetition).warning().ifPresent(warnings::add);
         String source = read.source() + ", " + String.join(", ", prepared.steps());
         return new Patch(name, surface, scan, source, read.channels(), read.notes(), warnings, faults, repetition);
     }
@@ -145,21 +145,17 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                     "it is constant along one axis, like a generated grating; if it is one period of a grating,"
                             + " state it (" + named(PERIODIC) + ")");
         }
-        boolean said = choices.get(PERIODIC, false);
-        if (preparation.edges() == Edges.BLEND || (repetition == Patch.Repetition.PERIODIC && !said)) {
-            return Optional.empty();
-        }
-        String step = "the scan's repetition has a step that draws a cross: ";
         Seam seam = Seam.of(scan);
-        if (seam.ratio() <= LARGEST_BORDER_STEP || (said && seam.fits())) {
+        // A step at the border of a period belongs to its profile.
+        if (repetition == Patch.Repetition.PERIODIC
+                || preparation.edges() == Edges.BLEND
+                || seam.ratio() <= LARGEST_BORDER_STEP) {
             return Optional.empty();
         }
-        String remedy = said
-                ? "crop it to a period (" + named(CROP) + ")"
-                : (takesTilt ? "" : "level it (" + named(LEVEL, ValueKind.name(Leveling.PLANE)) + ") or ")
-                        + "blend them (" + named(EDGES, ValueKind.name(Edges.BLEND)) + ")";
-        return Optional.of(step + "opposite borders differ by " + Lengths.rounded(seam.jump(), 2)
-                + " rms (neighbors by " + Lengths.rounded(seam.inside(), 2) + "); " + remedy);
+        return Optional.of("the scan's repetition has a step that draws a cross: opposite borders differ by "
+                + Lengths.rounded(seam.jump(), 2) + " rms (neighbors by " + Lengths.rounded(seam.inside(), 2) + "); "
+                + (takesTilt ? "" : "level it (" + named(LEVEL, ValueKind.name(Leveling.PLANE)) + ") or ")
+                + "blend them (" + named(EDGES, ValueKind.name(Edges.BLEND)) + ")");
     }
 
     /** The option or key by which the patch was named. */

@@ -64,16 +64,12 @@ public enum Edges {
     }
 
     /**
-     * Step between opposite borders of a repeated scan, along the axis where it is larger; inside, between neighbors; and between the two
-     * neighboring columns or rows that differ most: root mean squares in meters.
+     * Step between opposite borders of a repeated scan, along the axis where it is larger, and inside, between neighbors: root mean
+     * squares in meters.
      */
-    public record Seam(double jump, double inside, double steepest) {
+    public record Seam(double jump, double inside) {
         // Meters: a thousandth of the smallest relief that is read.
         private static final double ROUNDING = 1e-15;
-        // Ratio of the jump to the steps inside that counts as fitting.
-        private static final double FITTING = 2;
-        // Ratio to the steepest step at which the jump counts as another wall of a grating.
-        private static final double ALIKE = 1.1;
 
         public static Seam of(HeightMap field) {
             double[] columns = new double[field.columns()];
@@ -94,22 +90,13 @@ public enum Edges {
 
         private static Seam of(double[] squares) {
             int inside = squares.length - 1;
-            double steepest = Arrays.stream(squares, 0, inside).max().orElse(0);
             return inside == 0
-                    ? new Seam(0, 0, 0)
-                    : new Seam(
-                            Math.sqrt(squares[inside]),
-                            Math.sqrt(StatUtils.sum(squares, 0, inside) / inside),
-                            Math.sqrt(steepest));
+                    ? new Seam(0, 0)
+                    : new Seam(Math.sqrt(squares[inside]), Math.sqrt(StatUtils.sum(squares, 0, inside) / inside));
         }
 
         public double ratio() {
             return jump <= ROUNDING ? 0 : jump / inside;
-        }
-
-        /** True if the surface continues across the border as it does inside: smoothly, or with a wall like its others. */
-        public boolean fits() {
-            return ratio() <= FITTING || jump <= ALIKE * steepest;
         }
     }
 }
