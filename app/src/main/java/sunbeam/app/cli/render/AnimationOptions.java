@@ -28,7 +28,7 @@ import sunbeam.precompute.units.Angles;
 
 /** Options of an animation's motion, a picocli mixin. */
 public final class AnimationOptions {
-    private static final int MOST_FRAMES = 9999;
+    static final int MOST_FRAMES = 9999;
 
     @Option(
             names = "--light-sweep",

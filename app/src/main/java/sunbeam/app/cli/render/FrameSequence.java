@@ -56,8 +56,6 @@ import sunbeam.precompute.units.Decimals;
 
 /** Draws frames, tile by tile, and writes each as soon as it is finished. */
 public final class FrameSequence implements AutoCloseable {
-    // Least width for a statement about lit pixels: those of a smaller picture may all lie between a grating's orders.
-    private static final int FEWEST_PIXELS = 32;
     // Tolerance of the exact points of a certificate: a quarter of the limit of the picture's median error.
     private static final double POINT_TOLERANCE = 5e-3;
 
@@ -72,8 +70,7 @@ public final class FrameSequence implements AutoCloseable {
     private final TevClient viewer;
     private final FrameText text;
     private double exposure = 1;
-    private LitPixels lit = LitPixels.NONE;
-    private boolean drawn;
+    private Optional<LitPixels> lit = Optional.empty();
 
     /** Prepares to draw frames of the scene that these sessions, which it closes, hold together; {@code viewer} may be null. */
     public FrameSequence(
@@ -174,7 +171,7 @@ public final class FrameSequence implements AutoCloseable {
             image.getRaster().setDataElements(tile.x(), tile.y(), drawn.image().getRaster());
             ScenePicture pixels = drawn.light();
             if (missing) {
-                lit = lit.plus(LitPixels.of(pixels, display));
+                lit = Optional.of(lit.orElse(LitPixels.NONE).plus(LitPixels.of(pixels, display)));
             }
             if (picture != null) {
                 picture.put(pixels, tile.x(), tile.y());
@@ -191,7 +188,6 @@ public final class FrameSequence implements AutoCloseable {
         if (!missing) {
             return file;
         }
-        this.drawn = true;
         overlays.paint(image, scene, sessions.get(0));
         return PngWriter.write(
                 file, overwrite, image, text.of(scene, exposure, context.info().renderer()));
@@ -235,9 +231,9 @@ public final class FrameSequence implements AutoCloseable {
         }
     }
 
-    /** Returns the lit pixels of all drawn frames; empty if no frame was drawn, or if frames are too narrow for a statement. */
+    /** Returns the lit pixels of all drawn frames; empty if no frame was drawn. */
     Optional<LitPixels> lit() {
-        return drawn && width >= FEWEST_PIXELS ? Optional.of(lit) : Optional.empty();
+        return lit;
     }
 
     @Override

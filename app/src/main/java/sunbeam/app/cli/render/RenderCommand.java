@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -226,7 +227,7 @@ public final class RenderCommand extends FileCommand {
         return output != null || resume || overwrite() == Overwrite.REPLACE;
     }
 
-    private Overwrite ofGif() {
+    private Overwrite unlessResumed() {
         return resume ? Overwrite.REPLACE : overwrite();
     }
 
@@ -238,49 +239,52 @@ public final class RenderCommand extends FileCommand {
         if (animation.isGiven()) {
             OutputFolder.check(target);
             if (mayExist() && Files.isDirectory(target)) {
-                AtomicFile.checkWritable(target.resolve(GIF), ofGif());
+                AtomicFile.checkWritable(target.resolve(GIF), unlessResumed());
             }
         }
-        if (!resume && mayExist() && overwrite() == Overwrite.REFUSE) {
-            List<Path> files = animation.isGiven() ? pictures(target, frames) : List.of(target);
-            files.stream().filter(Files::exists).findFirst().ifPresent(file -> {
-                throw new OutputException.Exists("cannot write " + file
-                        + ": it exists; add --resume to keep what is finished, or --force to replace it");
+        if (mayExist() && overwrite() == Overwrite.REFUSE) {
+            Stream<Path> files = animation.isGiven() ? pictures(target) : Stream.of(target);
+            files.skip(resume ? frames : 0).filter(Files::exists).findFirst().ifPresent(file -> {
+                throw new OutputException.Exists(
+                        "cannot " + (resume ? "end before " : "write ") + file + ": it exists; add "
+                                + (resume ? "" : "--resume to keep what is finished, or ") + "--force to replace it");
             });
         }
-        if (!resume && !animation.isGiven()) {
-            AtomicFile.checkWritable(target, mayExist() ? overwrite() : Overwrite.NUMBER);
+        if (!animation.isGiven()) {
+            AtomicFile.checkWritable(target, mayExist() ? unlessResumed() : Overwrite.NUMBER);
         }
         AtomicFile.checkWritable(linear, overwrite());
     }
 
-    private static List<Path> pictures(Path folder, int frames) {
-        return IntStream.rangeClosed(1, frames)
-                .mapToObj(frame -> folder.resolve(Text.format("frame-%04d.png", frame)))
-                .toList();
+    /** Returns the names of all frames that an animation may have. */
+    private static Stream<Path> pictures(Path folder) {
+        return IntStream.rangeClosed(1, AnimationOptions.MOST_FRAMES)
+                .mapToObj(frame -> folder.resolve(Text.format("frame-%04d.png", frame)));
     }
 
     private List<Path> draw(FrameSequence frames, Scene scene, Path target) {
         Overwrite overwrite = mayExist() ? overwrite() : Overwrite.NUMBER;
-        AtomicFile.checkWritable(target, mayExist() ? Overwrite.REPLACE : Overwrite.NUMBER);
         List<Path> written = frames.draw(List.of(scene), List.of(target), resume, overwrite, linear);
         return linear == null ? written : List.of(written.get(0), linear);
     }
 
     private List<Path> animate(FrameSequence frames, List<Scene> scenes, Path target) {
+        boolean isNew = !mayExist() || !Files.exists(target);
         Path folder = OutputFolder.claim(target, mayExist());
-        List<Path> pictures = pictures(folder, scenes.size());
+        List<Path> pictures = pictures(folder).limit(scenes.size()).toList();
         Path gif = folder.resolve(GIF);
         AtomicFile.checkWritable(pictures.get(0), Overwrite.REPLACE);
-        AtomicFile.checkWritable(gif, ofGif());
         String kept = "interrupted; finished frames are kept, add --resume to draw the others";
-        ShutdownHook hook = new ShutdownHook(() -> err().println(Messages.error(kept)));
+        ShutdownHook hook = new ShutdownHook(
+                () -> err().println(Messages.error(isNew && folder.toFile().delete() ? "interrupted" : kept)));
         try {
             frames.draw(scenes, pictures, resume, overwrite(), null);
         } finally {
             hook.close();
         }
-        GifAnimation.write(gif, ofGif(), pictures, animation.frameRate());
+        // A film of the folder would also show the last frames of a longer animation that this one replaces.
+        pictures(folder).skip(scenes.size()).forEach(file -> file.toFile().delete());
+        GifAnimation.write(gif, unlessResumed(), pictures, animation.frameRate());
         return List.of(folder, gif);
     }
 }

@@ -86,6 +86,11 @@ class RenderCommandTest extends CommandLineFixture {
                 .as("other parameters")
                 .isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(err.toString()).contains("frame-0001.png", "other parameters", "--force");
+        assertThat(render("turn", " --turntable 3 --force")).isZero();
+        assertThat(render("turn", " --turntable 1 --resume")).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertThat(err.toString()).contains("cannot end before", "frame-0002.png: it exists; add --force");
+        assertSuccess(render("turn", " --turntable 1 --resume --force"));
+        assertThat(frames.toFile().list()).containsExactlyInAnyOrder("frame-0001.png", "animation.gif");
     }
 
     @Test
@@ -189,6 +194,10 @@ class RenderCommandTest extends CommandLineFixture {
         assertThat(err.toString())
                 .containsPattern("lit: .* % of \\d+ pixels")
                 .contains("of the mesh is lit", "move the light");
+        Files.writeString(scene, SCENE.replace("0.9]", "-0.9]").replace(", \"ambient\": 0.1", ""));
+        assertThat(sunbeam("render @scene.json --size 24x18 --output @dark.png"))
+                .as("a small picture of a plane lit from below: %s", err)
+                .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
     }
 
     @Test
