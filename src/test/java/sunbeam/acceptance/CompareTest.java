@@ -182,7 +182,7 @@ class CompareTest extends InOneWorkplace {
     @CsvSource(delimiter = '|', textBlock = """
             plain.png | --size 40x40 | 2 | has another ratio of sides than the photograph, 64x48; give 40x30
             plain.png | --size 80x60 | 2 | --size 80x60 is larger than the photograph, 64x48
-            none.png  | --quiet      | 4 | photograph none.png cannot be read
+            none.png  | --quiet      | 4 | cannot read none.png: there is no such file; check the name
             white.png | --quiet      | 4 | clipped wherever the mesh is
             """)
     void whatCannotBeComparedIsOneLine(String photo, String option, int code, String words) throws IOException {

@@ -175,12 +175,12 @@ public final class Scenes {
         return new PatchRequest(resolve(choices, PatchSettings.PATCH, BuiltInPatches.names()));
     }
 
-    private static Viewpoint view(JsonObject camera) {
+    private Viewpoint view(JsonObject camera) {
         Vector3f position = place(camera, "position");
         Vector3f lookAt = place(camera, "lookAt");
         Vector3f up = camera.has("up") ? numbers(camera, "up") : new Vector3f(0, 0, 1);
         double angle = camera.choices(List.of(SceneSettings.FIELD_OF_VIEW)).get(SceneSettings.FIELD_OF_VIEW);
-        Camera placed = camera.checked("position", () -> new Camera(position, lookAt, up));
+        Camera placed = root.checked("camera", () -> new Camera(position, lookAt, up));
         camera.requireNoOthers();
         return new Viewpoint(placed, angle);
     }

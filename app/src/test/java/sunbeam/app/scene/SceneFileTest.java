@@ -116,7 +116,8 @@ class SceneFileTest {
                     "exposure": 2        | "exposure": -1     | line 9  | exposure      | -1 is out of range; give auto, or a number above 0 to 1e9
                     [0, 0, 2]            | [0, 0, 0]          | line 5  | light.direction | no direction
                     [0, 0, 2]            | [0, 0]             | line 5  | light.direction | 3 values
-                    "0 m", "0 m", "0 m"  | "10 cm", "-20 cm", "15 cm" | line 4 | camera.position | differ
+                    "0 m", "0 m", "0 m"  | "10 cm", "-20 cm", "15 cm" | line 4 | "camera": | differ
+                    "lookAt":            | "up": [10, -20, 15], "lookAt": | line 4 | "camera": | up must not lie along the line of sight
                     "snake"              | null               | line 2  | mesh          | text
                     "camera": {          | "camera": { "fieldOfView": "1e-300 deg", | line 4 | camera.fieldOfView | out of range
                     [0, 0, 2]            | [0, 0, 2], "angularDiameter": "40 deg" | line 5 | angularDiameter | 40 deg is out of range; give 0 deg to 15 deg

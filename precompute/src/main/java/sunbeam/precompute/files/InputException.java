@@ -46,12 +46,14 @@ public final class InputException extends RuntimeException {
         }
     }
 
-    /** Refuses folders, pipes and devices, whose reading might never end. */
+    /** Refuses missing and protected files, and folders, pipes and devices, whose reading might never end. */
     public static void requireRegular(Path file) {
+        InputException.refuseIf(!Files.exists(file), "cannot read " + file + ": there is no such file; check the name");
         InputException.refuseIf(Files.isDirectory(file), "cannot read " + file + ": it is a folder; name a file in it");
         InputException.refuseIf(
-                Files.exists(file) && !Files.isRegularFile(file),
-                "cannot read " + file + ": it is no regular file; copy it to one");
+                !Files.isRegularFile(file), "cannot read " + file + ": it is no regular file; copy it to one");
+        InputException.refuseIf(
+                !Files.isReadable(file), "cannot read " + file + ": permission denied; make it readable");
     }
 
     public static void requireSmall(Path file, long most, String otherwise) {

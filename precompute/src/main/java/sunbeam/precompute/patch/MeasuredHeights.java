@@ -8,7 +8,6 @@ import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
 import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -37,7 +36,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
      * @throws SettingException if a choice contradicts the file, is absurd or is missing
      */
     static MeasuredHeights read(Path file, Choices choices) {
-        requireReadable(file);
+        InputException.requireRegular(file);
         try (ScanBytes bytes = ScanBytes.open(file)) {
             ScanException.refuseIf(bytes.size() == 0, "is empty; copy or export it again");
             ScanFormat reader = ScanFormat.find(bytes, choices.find(PatchSettings.DECIMAL_MARK))
@@ -50,12 +49,6 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         } catch (IOException failure) {
             throw InputException.of(file, failure);
         }
-    }
-
-    static void requireReadable(Path file) {
-        InputException.refuseIf(!Files.exists(file), file + ": no such file; check the name and the folder");
-        InputException.requireRegular(file);
-        InputException.refuseIf(!Files.isReadable(file), file + " cannot be read; check its permissions");
     }
 
     private static MeasuredHeights of(Path file, ScanFormat reader, ChannelList channels, Choices choices)

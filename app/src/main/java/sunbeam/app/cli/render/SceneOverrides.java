@@ -1,6 +1,7 @@
 package sunbeam.app.cli.render;
 
 import static sunbeam.app.scene.SceneSettings.INDEX;
+import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
@@ -20,6 +21,7 @@ import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.method.FullMethod;
@@ -74,7 +76,11 @@ public final class SceneOverrides {
         located = withAbsoluteName(located, TEXTURE, BodyTexture.names());
         located = withAbsoluteName(located, ILLUMINANT, Illuminant.NAMES);
         located = withAbsoluteName(located, SceneSettings.ORIENTATION_MAP, List.of(Body.NONE));
-        return patch(scene.with(located), withAbsoluteName(given, PATCH, BuiltInPatches.names()));
+        Scene applied = scene.with(located);
+        if (given.get(SCALES, Scales.NONE) != Scales.NONE && applied.effectiveScales() == Scales.NONE) {
+            throw given.complaint(SCALES, "is for mesh snake; leave it out");
+        }
+        return patch(applied, withAbsoluteName(given, PATCH, BuiltInPatches.names()));
     }
 
     /**

@@ -161,6 +161,7 @@ class RenderCommandTest extends CommandLineFixture {
             --method gem --patch elaphe-like | for example 1um
             --method table --preset thesis | --preset thesis belongs to --method full, nmm, pq, gem or reference, not table; leave it out or use --method full
             --size 0x5 | --size
+            --scales keeled | --scales keeled is for mesh snake; leave it out
             --frames 5 | --frames 5 needs --light-sweep, whose frames it counts, as in
             --frames 5 --turntable 3 | --turntable has its own number
             --frame-rate 5 | --frame-rate needs --light-sweep or --turntable
