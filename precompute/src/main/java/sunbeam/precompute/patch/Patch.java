@@ -70,6 +70,6 @@ public record Patch(
 
     /** True if the relief is so far below a wavelength that the patch looks like a mirror. */
     public boolean isMirror() {
-        return Plausibility.mirror(scan).isPresent();
+        return scan.relief() < Plausibility.FLATTEST_RELIEF;
     }
 }

@@ -70,7 +70,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
         spikes(scan, preparation).ifPresent(warnings::add);
         repetitionWarning(measured, scan, preparation, repetition).ifPresent(warnings::add);
-        Plausibility.mirror(scan).ifPresent(warnings::add);
+        Plausibility.mirror(measured, scan, prepared.steps()).ifPresent(warnings::add);
         Plausibility.pitch(surface).ifPresent(warnings::add);
         // Before blending, which bends the border.
         ModelError.of(scan, repetition).warning().ifPresent(warnings::add);

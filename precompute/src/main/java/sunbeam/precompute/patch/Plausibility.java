@@ -135,20 +135,21 @@ public final class Plausibility {
                         + " % of the light at random; use a 16-bit or float image");
     }
 
-    static Optional<String> mirror(HeightMap map) {
-        double relief = map.relief();
-        if (relief == 0) {
+    /** @param prepared the map after these steps */
+    static Optional<String> mirror(HeightMap map, HeightMap prepared, List<String> steps) {
+        if (map.relief() == 0) {
             return Optional.of("all heights are equal: the patch is a flat mirror");
         }
-        if (relief >= FLATTEST_RELIEF) {
-            return Optional.empty();
-        }
+        double relief = prepared.relief();
         // The phase k w h deviates by at most k w relief / 2 from its mean, at w = 2.
         double phase = 2 * Math.PI * relief / SHORTEST_WAVELENGTH;
-        return Optional.of(Text.format(
-                "the relief is only %s, far below a wavelength: the patch is a mirror, which diffracts less than %.1g %% of the"
-                        + " light; is the unit of the heights right?",
-                Lengths.rounded(relief, 4), 100 * phase * phase));
+        String cause = map.relief() < FLATTEST_RELIEF
+                ? "is the unit of the heights right?"
+                : Lengths.rounded(map.relief(), 4) + " before " + String.join(", ", steps);
+        String words = "the relief is only %s (%s), far below a wavelength: the patch is a mirror, which diffracts less than"
+                + " %.1g %% of the light";
+        return Optional.of(Text.format(words, Lengths.rounded(relief, 4), cause, 100 * phase * phase))
+                .filter(flat -> relief < FLATTEST_RELIEF);
     }
 
     public static Optional<String> pitch(HeightMap map) {

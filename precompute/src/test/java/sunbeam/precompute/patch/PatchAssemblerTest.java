@@ -86,6 +86,15 @@ class PatchAssemblerTest {
     }
 
     @Test
+    void aReliefThatLevelingRemovesHasAWarningThatNamesIt() throws IOException {
+        assertThat(scan((x, y) -> 5 * x, LEVEL, "plane", PERIODIC, "true").warnings())
+                .singleElement()
+                .asString()
+                .contains("is a mirror", "475 nm before levelling plane")
+                .doesNotContain("unit");
+    }
+
+    @Test
     void drawnLinesAreAPieceByDefault() throws IOException {
         Patch drawn = scan((x, y) -> x);
         assertThat(drawn.repetition()).isEqualTo(Patch.Repetition.NONE);
