@@ -187,7 +187,7 @@ record Evaluation(
         });
     }
 
-    /** Plot as in the thesis's figures 4.9 to 4.11: the response, its brightest angles, and curves of the grating equation. */
+    /** Plot as in the thesis's figures 4.9 to 4.11: the response, its peaks, and curves of the grating equation. */
     BufferedImage plot(String method) {
         return new Sheet(WIDTH)
                 .heading(patch.name() + ": " + verdict().sentence())
@@ -234,7 +234,7 @@ record Evaluation(
             double mean = found.statistics().getMean();
             double[] fitted = equation(grid, found.order(), mean);
             map.curve("grating equation for the peaks' mean", wavelengths, fitted, FITTED, false);
-            String name = Text.format("brightest angle at each wavelength (mean %.1f nm)", mean * NANOMETERS);
+            String name = Text.format("peaks: %s (mean %.1f nm)", ValueKind.name(peaks), mean * NANOMETERS);
             double[] ridgeWavelengths = map(found.wavelengths(), meters -> meters * NANOMETERS);
             map.curve(name, ridgeWavelengths, map(found.angles(), Math::toDegrees), PEAKS, true);
         });
