@@ -147,8 +147,7 @@ public final class Plausibility {
                 ? "is the unit of the heights right?"
                 : Lengths.rounded(map.relief(), 4) + " before " + String.join(", ", steps);
         String words =
-                "the relief is only %s (%s), far below a wavelength: the patch is a mirror, which diffracts less than"
-                        + " %.1g %% of the light";
+                "the relief is only %s (%s): the patch is a mirror, which diffracts less than %.1g %% of the light";
         return Optional.of(Text.format(words, Lengths.rounded(relief, 4), cause, 100 * phase * phase))
                 .filter(flat -> relief < FLATTEST_RELIEF);
     }
