@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -27,10 +28,10 @@ import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.text.Text;
 
 /** {@code sunbeam mesh}: writes a mesh for scenes or other programs. */
 @Command(
@@ -86,13 +87,15 @@ public final class MeshCommand extends FileCommand {
         });
         int vertices = read.mesh().vertices();
         int triangles = read.mesh().triangles();
+        List<Double> sides = Stream.of(0, 1, 2).map(read.mesh()::side).toList();
         PrintWriter out = out(target);
         if (json.isGiven()) {
-            Map<String, ?> report = Map.of("mesh", mesh, "vertices", vertices, "triangles", triangles);
+            var report = Map.of("mesh", mesh, "vertices", vertices, "triangles", triangles, "sides_m", sides);
             json.print(out, new TreeMap<>(report), List.of(written));
         } else {
             out.println(OutputFolder.name(written) + ": " + MeshSource.count(vertices, "vertex") + ", "
-                    + MeshSource.count(triangles, "triangle"));
+                    + MeshSource.count(triangles, "triangle")
+                    + Text.format(", %.3g x %.3g x %.3g m", sides.toArray()));
         }
         return ExitCode.OK.code();
     }
@@ -118,10 +121,6 @@ public final class MeshCommand extends FileCommand {
         if (texture.equals(Body.NONE) && scales == Scales.NONE) {
             return Optional.empty();
         }
-        try (Progress progress = environment().progress().start("drawing the skin", 1)) {
-            SkinMaps maps = SkinMaps.of(Body.load(texture, scales, Body.NONE, BlobCache.NONE));
-            progress.step(1);
-            return Optional.of(maps);
-        }
+        return Optional.of(SkinMaps.of(Body.load(texture, scales, Body.NONE, BlobCache.NONE)));
     }
 }

@@ -196,8 +196,7 @@ public final class CompareCommand extends FileCommand {
         Sheet sheet = new Sheet(2 * (MARGIN + PANEL))
                 .part(MARGIN, graphics -> {
                     graphics.drawString("Photograph", MARGIN, MARGIN - 6);
-                    graphics.drawString(
-                            "The scene's mesh, at the photograph's exposure", 2 * MARGIN + PANEL, MARGIN - 6);
+                    graphics.drawString("The mesh alone, at the photograph's exposure", 2 * MARGIN + PANEL, MARGIN - 6);
                 })
                 .part(height, graphics -> {
                     graphics.setRenderingHint(

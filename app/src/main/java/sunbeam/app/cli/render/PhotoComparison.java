@@ -140,7 +140,7 @@ record PhotoComparison(
         return List.of(
                 Text.format("exposure: %.4g, the photograph's luminance over the scene's", exposure),
                 Text.format(
-                        "compared: %d pixels that the mesh covers, %.2g %% of them clipped in the photograph",
+                        "compared: %d pixels of the mesh, not its ground; %.2g %% of them clipped in the photograph",
                         covered, 100.0 * clipped / covered),
                 Text.format("CIEDE2000: median %.3g, 95th percentile %.3g", median, high),
                 "luminance: " + correlation(luminance),

@@ -33,6 +33,14 @@ public record Mesh(
         return indices.length / 3;
     }
 
+    /** Returns the side along x (0), y or z of the box around the mesh, in meters. */
+    public double side(int axis) {
+        var ends = IntStream.range(0, vertices())
+                .mapToDouble(vertex -> positions[3 * vertex + axis])
+                .summaryStatistics();
+        return ends.getMax() - ends.getMin();
+    }
+
     static Vector3d vector(float[] values, int index) {
         return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
     }

@@ -133,8 +133,9 @@ public record MeshSource(String name, Unit unit) {
         if (planar) {
             warning.accept("texture coordinates are missing; they are taken from above (x, y)");
         }
-        warnOfSize(mesh, unit, warning);
-        return new VertexAssembly(planar ? mesh.withPlanarCoordinates() : mesh, planar).assemble(warning);
+        Mesh whole = new VertexAssembly(planar ? mesh.withPlanarCoordinates() : mesh, planar).assemble(warning);
+        warnOfSize(whole, unit, warning);
+        return whole;
     }
 
     public static String count(int number, String noun) {
@@ -142,8 +143,8 @@ public record MeshSource(String name, Unit unit) {
         return number + " " + (number == 1 ? noun : plural);
     }
 
-    private static void warnOfSize(RawMesh mesh, Unit unit, Consumer<String> warning) {
-        double side = mesh.longestSide();
+    private static void warnOfSize(Mesh mesh, Unit unit, Consumer<String> warning) {
+        double side = Math.max(mesh.side(0), Math.max(mesh.side(1), mesh.side(2)));
         if (isPlausible(side)) {
             return;
         }

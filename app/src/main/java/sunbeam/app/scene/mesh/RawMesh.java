@@ -93,15 +93,6 @@ public record RawMesh(
         return new Vector3d[] {least, most};
     }
 
-    /** In meters, of coordinates rounded to float32 as in a {@link Mesh}. */
-    double longestSide() {
-        Vector3d[] ends = bounds();
-        return IntStream.range(0, 3)
-                .mapToDouble(axis -> (double) (float) ends[1].get(axis) - (float) ends[0].get(axis))
-                .max()
-                .orElseThrow();
-    }
-
     /** Returns the center of a mesh so far away that float32 would change its shape by 3e-5 of its longest side. */
     public Optional<Vector3d> farCenter() {
         Vector3d[] ends = bounds();
