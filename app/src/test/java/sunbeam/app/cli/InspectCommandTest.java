@@ -134,7 +134,7 @@ final class InspectCommandTest extends CommandLineFixture {
     void aReliefFarBelowAWavelengthIsDoubtful() throws IOException {
         scan(0.1, false);
         inspectScan(3, "");
-        assertThat(err.toString()).contains("far below a wavelength");
+        assertThat(err.toString()).contains("the relief is only");
         assertThat(out.toString()).startsWith("A mirror: ");
         scan(2, false);
         inspectScan(0, "");

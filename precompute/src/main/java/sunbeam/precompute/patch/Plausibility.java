@@ -146,8 +146,7 @@ public final class Plausibility {
         String cause = map.relief() < FLATTEST_RELIEF
                 ? "is the unit of the heights right?"
                 : Lengths.rounded(map.relief(), 4) + " before " + String.join(", ", steps);
-        String words =
-                "the relief is only %s (%s): the patch is a mirror, which diffracts less than %.1g %% of the light";
+        String words = "the relief is only %s (%s): the patch is a mirror that diffracts %.1g %% of the light or less";
         return Optional.of(Text.format(words, Lengths.rounded(relief, 4), cause, 100 * phase * phase))
                 .filter(flat -> relief < FLATTEST_RELIEF);
     }

@@ -86,9 +86,8 @@ class PatchAssemblerTest {
 
     @Test
     void aReliefThatLevelingRemovesHasAWarningThatNamesIt() throws IOException {
-        assertThat(scan((x, y) -> 5 * x, LEVEL, "plane", PERIODIC, "true")
-                        .warnings()
-                        .toString())
+        Patch leveled = scan((x, y) -> 5 * x, LEVEL, "plane", PERIODIC, "true");
+        assertThat(leveled.warnings().toString())
                 .contains("is a mirror", "475 nm before levelling plane")
                 .doesNotContain("unit");
     }
