@@ -46,6 +46,8 @@ def ciede2000(one, other):
     rotation = -2 * np.sqrt(c ** 7 / (c ** 7 + 25.0 ** 7)) * np.sin(np.radians(60 * blue))
     return np.sqrt(dl ** 2 + dc ** 2 + dh ** 2 + rotation * dc * dh)
 
+if len(sys.argv) < 3:
+    sys.exit(__doc__)
 (table, measured), (_, computed) = read(sys.argv[1]), read(sys.argv[2])
 level = 1 if measured.shape[1] == 3 else 0  # Y, or the BRDF
 factor = fitted_factor(computed[:, level], measured[:, level])

@@ -10,6 +10,8 @@ def read(path):
     with h5py.File(path) as file:
         return {name: file[name][:] for name in file}
 
+if len(sys.argv) < 2:
+    sys.exit(__doc__)
 parts = [read(path) for path in sorted(sys.argv[1:], key=lambda path: (len(path), path))]
 rows = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 cosines = (rows["light"][:, 2] * rows["view"][:, 2]).astype(float)

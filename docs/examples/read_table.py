@@ -3,14 +3,17 @@
     sunbeam precompute --patch elaphe-like --output table.h5
     python3 read_table.py table.h5 THETA_I PHI_I THETA_R PHI_R WAVELENGTH_NM    (degrees)
 
-prints the power of one coherence area of 65 um, its window centred on the patch, as `sunbeam reflectance` does.
+prints the power of one coherence area of 65 um, its window centered on the patch, as `sunbeam reflectance` does.
 """
 
 import math
 import sys
 
-import h5py
-import numpy as np
+try:
+    import h5py
+    import numpy as np
+except ImportError as missing:
+    sys.exit(f"{missing}: this script needs h5py and numpy")
 
 SIGMA = 65e-6 / 4  # standard deviation of the coherence window, metres
 
@@ -55,6 +58,8 @@ def power(table, u, v, w, wavelength):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 7:
+        sys.exit(__doc__)
     name, theta_i, phi_i, theta_r, phi_r, nanometres = sys.argv[1], *map(float, sys.argv[2:7])
     uvw = -direction(theta_i, phi_i) - direction(theta_r, phi_r)
     with h5py.File(name) as file:
