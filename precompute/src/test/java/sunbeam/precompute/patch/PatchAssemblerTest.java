@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static sunbeam.precompute.patch.PatchSettings.DESPIKE;
-import static sunbeam.precompute.patch.PatchSettings.EDGES;
 import static sunbeam.precompute.patch.PatchSettings.LEVEL;
 import static sunbeam.precompute.patch.PatchSettings.PERIODIC;
 
@@ -78,7 +77,8 @@ class PatchAssemblerTest {
 
     @Test
     void aStepAtTheBorderHasAWarningUnlessItBelongsToAPeriodOrIsBlended() throws IOException {
-        assertThat(scan(PatchAssemblerTest::lines, EDGES, "repeat").warnings())
+        assertThat(scan(PatchAssemblerTest::lines, PatchSettings.EDGES, "repeat")
+                        .warnings())
                 .anySatisfy(line -> assertThat(line).contains("opposite borders differ by", "(--edges blend)"));
         assertThat(scan((x, y) -> 5 * x, PERIODIC, "true").warnings()).noneMatch(line -> line.contains("borders"));
         assertThat(scan(PatchAssemblerTest::lines).warnings()).noneMatch(line -> line.contains("borders"));
