@@ -141,25 +141,25 @@ public final class FileActions {
         Choices named = Choices.at(ControlOrigin.INSTANCE)
                 .with(PatchSettings.PATCH, file.toAbsolutePath().toString());
         boolean hasScales = file.toString().toLowerCase(Locale.ROOT).endsWith(".json") || PatchLoader.isScan(file);
-        try {
-            (hasScales ? Optional.of(named) : askForScales(file, named))
-                    .map(PatchRequest::new)
-                    .ifPresent(request -> model.change(scene -> scene.withOwnPatch(request)));
-        } catch (SettingException failure) {
-            window.status.message(failure.getMessage());
-        }
+        (hasScales ? Optional.of(named) : askForScales(file, named))
+                .ifPresent(choices -> model.change(scene -> scene.withOwnPatch(new PatchRequest(choices))));
     }
 
-    /** Adds the scales of an image, which a dialog asks for; empty if the user cancels it. */
+    /** Adds the scales of an image, which a dialog asks for until they can be used; empty if the user cancels it. */
     private Optional<Choices> askForScales(Path file, Choices named) {
         JPanel form = new JPanel(new GridLayout(2, 2, 8, 6));
-        JTextField width = field(form, PatchSettings.WIDTH);
-        JTextField maxHeight = field(form, PatchSettings.MAX_HEIGHT);
-        if (!confirms(form, "Scale of " + file.getFileName(), JOptionPane.PLAIN_MESSAGE)) {
-            return Optional.empty();
+        JTextField width = field(form, PatchSettings.WIDTH, ", such as 65 um");
+        JTextField maxHeight = field(form, PatchSettings.MAX_HEIGHT, ", such as 375 nm");
+        String problem = "";
+        while (confirms(new Object[] {form, problem}, "Scale of " + file.getFileName(), JOptionPane.PLAIN_MESSAGE)) {
+            try {
+                return Optional.of(named.parsed(PatchSettings.WIDTH, width.getText(), ControlOrigin.INSTANCE)
+                        .parsed(PatchSettings.MAX_HEIGHT, maxHeight.getText(), ControlOrigin.INSTANCE));
+            } catch (SettingException wrong) {
+                problem = wrong.getMessage();
+            }
         }
-        return Optional.of(named.parsed(PatchSettings.WIDTH, width.getText(), ControlOrigin.INSTANCE)
-                .parsed(PatchSettings.MAX_HEIGHT, maxHeight.getText(), ControlOrigin.INSTANCE));
+        return Optional.empty();
     }
 
     private boolean confirms(Object question, String title, int type) {
@@ -167,10 +167,10 @@ public final class FileActions {
         return answer == JOptionPane.OK_OPTION;
     }
 
-    private static JTextField field(JPanel form, Setting<Double> setting) {
+    private static JTextField field(JPanel form, Setting<Double> setting, String example) {
         JTextField field = new JTextField(10);
         field.setToolTipText(ControlOrigin.INSTANCE.tip(setting, ""));
-        form.add(new JLabel(ControlOrigin.INSTANCE.name(setting)));
+        form.add(new JLabel(ControlOrigin.INSTANCE.name(setting) + example));
         form.add(field);
         return field;
     }

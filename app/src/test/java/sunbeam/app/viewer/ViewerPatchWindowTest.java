@@ -13,7 +13,9 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import javax.imageio.ImageIO;
 import javax.swing.JComboBox;
+import javax.swing.JDialog;
 import javax.swing.JLabel;
+import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -114,10 +116,15 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         Dialogs.answer("Scale of waves.png", "Cancel");
         assertThat(modelScene()).isEqualTo(scene());
         SwingUtilities.invokeLater(() -> viewer.files.loadPatch(file));
+        Dialogs.type("Scale of waves.png", "2 um", "300");
         Dialogs.answer("Scale of waves.png", "OK");
-        awaitComplaint("is no length", "such as 65um");
+        JDialog again = Dialogs.await("Scale of waves.png");
+        assertThat(onEvents(() ->
+                        Dialogs.find(again, JTextField.class, field -> true).getText()))
+                .isEqualTo("2 um");
+        onEvents(
+                () -> Dialogs.find(again, JLabel.class, label -> label.getText().contains("has no unit")));
         assertThat(modelScene()).isEqualTo(scene());
-        SwingUtilities.invokeLater(() -> viewer.files.loadPatch(file));
         Dialogs.type("Scale of waves.png", "2 um", "300 nm");
         Dialogs.answer("Scale of waves.png", "OK");
         awaitPatch(file.toString());
