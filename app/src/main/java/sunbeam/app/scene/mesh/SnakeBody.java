@@ -50,27 +50,35 @@ public final class SnakeBody {
     private static final double EYE_ANGLE = Math.PI * SnakeHead.EYE_AROUND;
     private static final int SAMPLES = 4000;
     private static final int HEAD_SAMPLES = 300;
-    private static final Vector3d[] POINTS = new Vector3d[SAMPLES + 1];
-    // Meters from the snout to each point.
-    private static final double[] LENGTHS = new double[SAMPLES + 1];
     // In RADIUS; smaller scales would be invisible.
     private static final double NARROWEST = 0.2;
-    // Numbers of scales from the neck, up to a factor: a scale's length follows the body's width.
-    private static final double[] SCALES = new double[SAMPLES + 1];
 
-    static {
-        Vector3d neck = spiral(STRAIGHT);
-        Vector3d direction = new Vector3d(neck).sub(spiral(STRAIGHT - 1e-4)).normalize();
-        for (int i = 0; i <= SAMPLES; i++) {
-            double headward = HEAD_LENGTH * (HEAD_SAMPLES - i) / HEAD_SAMPLES;
-            POINTS[i] = i < HEAD_SAMPLES
-                    ? new Vector3d(neck).fma(headward, direction)
-                    : spiral(STRAIGHT * (SAMPLES - i) / (SAMPLES - HEAD_SAMPLES));
-            LENGTHS[i] = i == 0 ? 0 : LENGTHS[i - 1] + POINTS[i].distance(POINTS[i - 1]);
-        }
-        for (int i = 1; i <= SAMPLES; i++) {
-            double width = Math.max(NARROWEST, halfWidth(NECK + (1 - NECK) * (i - 0.5) / SAMPLES) / RADIUS);
-            SCALES[i] = SCALES[i - 1] + 1 / (width * SAMPLES);
+    /**
+     * Center line and scales. A class of its own, so that {@link SnakeBody} is initialized before the loops call its methods: Java 17 now
+     * and then passes NaN to a static method whose class is being initialized, which made one snake in a hundred black.
+     */
+    private static final class Spine {
+        static final Spine OF_SNAKE = new Spine();
+        private final Vector3d[] points = new Vector3d[SAMPLES + 1];
+        // Meters from the snout to each point.
+        private final double[] lengths = new double[SAMPLES + 1];
+        // Numbers of scales from the neck, up to a factor: a scale's length follows the body's width.
+        private final double[] scales = new double[SAMPLES + 1];
+
+        private Spine() {
+            Vector3d neck = spiral(STRAIGHT);
+            Vector3d direction = new Vector3d(neck).sub(spiral(STRAIGHT - 1e-4)).normalize();
+            for (int i = 0; i <= SAMPLES; i++) {
+                double headward = HEAD_LENGTH * (HEAD_SAMPLES - i) / HEAD_SAMPLES;
+                points[i] = i < HEAD_SAMPLES
+                        ? new Vector3d(neck).fma(headward, direction)
+                        : spiral(STRAIGHT * (SAMPLES - i) / (SAMPLES - HEAD_SAMPLES));
+                lengths[i] = i == 0 ? 0 : lengths[i - 1] + points[i].distance(points[i - 1]);
+            }
+            for (int i = 1; i <= SAMPLES; i++) {
+                double width = Math.max(NARROWEST, halfWidth(NECK + (1 - NECK) * (i - 0.5) / SAMPLES) / RADIUS);
+                scales[i] = scales[i - 1] + 1 / (width * SAMPLES);
+            }
         }
     }
 
@@ -96,16 +104,19 @@ public final class SnakeBody {
     }
 
     static double length() {
-        return LENGTHS[SAMPLES];
+        return Spine.OF_SNAKE.lengths[SAMPLES];
     }
 
     /** Meters; high enough for the belly to lie on the ground. */
     static Vector3d center(double place) {
+        Spine spine = Spine.OF_SNAKE;
         double wanted = place * length();
-        int found = Arrays.binarySearch(LENGTHS, wanted);
+        int found = Arrays.binarySearch(spine.lengths, wanted);
         int low = Math.min(SAMPLES - 1, found < 0 ? -found - 2 : found);
-        double t = (wanted - LENGTHS[low]) / (LENGTHS[low + 1] - LENGTHS[low]);
-        return POINTS[low].lerp(POINTS[low + 1], t, new Vector3d()).add(0, 0, bellyDepth(Math.max(place, CHIN)));
+        double t = (wanted - spine.lengths[low]) / (spine.lengths[low + 1] - spine.lengths[low]);
+        return spine.points[low]
+                .lerp(spine.points[low + 1], t, new Vector3d())
+                .add(0, 0, bellyDepth(Math.max(place, CHIN)));
     }
 
     /** @param angle radians from the middle of the belly, to the right when looking towards the tail */
@@ -152,15 +163,16 @@ public final class SnakeBody {
         }
         double at = SAMPLES * (place - NECK) / (1 - NECK);
         int below = Math.min(SAMPLES - 1, (int) at);
-        double length = SCALES[below] + (at - below) * (SCALES[below + 1] - SCALES[below]);
-        return BEGIN + (1 - BEGIN) * length / SCALES[SAMPLES];
+        double[] scales = Spine.OF_SNAKE.scales;
+        double length = scales[below] + (at - below) * (scales[below + 1] - scales[below]);
+        return BEGIN + (1 - BEGIN) * length / scales[SAMPLES];
     }
 
     public static double scalesPerUnit(int rows) {
         // The girth of the elliptic cross-section is about 5.8 half widths.
         double row = 5.8 * ScaleRelief.DORSAL / rows;
         double body = (1 - NECK) * LENGTH / RADIUS;
-        return SCALES[SAMPLES] * body / (row * ScaleRelief.LENGTH) / (1 - BEGIN);
+        return Spine.OF_SNAKE.scales[SAMPLES] * body / (row * ScaleRelief.LENGTH) / (1 - BEGIN);
     }
 
     /** Monotone function through points (Fritsch and Butland 1984), of zero slope at both ends, constant beyond. */
