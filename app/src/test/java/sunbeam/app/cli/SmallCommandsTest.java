@@ -165,9 +165,7 @@ final class SmallCommandsTest extends CommandLineFixture {
         assertThat(err.toString().lines())
                 .hasSize(3)
                 .allMatch(line -> line.startsWith("sunbeam: warning: ") && line.contains("in.obj"));
-        assertThat(out.toString())
-                .as("in the singular")
-                .contains("out.obj: 3 vertices, 1 triangle, 1.00 x 1.00 x 0.00 m\n");
+        assertThat(out.toString()).contains("out.obj: 3 vertices, 1 triangle, 1.00 x 1.00 x 0.00 m\n");
         assertThat(loadMesh("out.obj").warnings()).isEmpty();
     }
 

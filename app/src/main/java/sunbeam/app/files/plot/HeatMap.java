@@ -192,7 +192,7 @@ public final class HeatMap {
             plot.setInsets(insets);
             bar.setMargin(insets.getTop(), GAP, insets.getBottom() + SPACE_BELOW, 0);
         }
-        return PlotStyle.image(chart, frame.width(), frame.height(), info);
+        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, info);
     }
 
     /** Returns an image with one pixel for each cell: JFreeChart would draw millions of rectangles. */

@@ -126,7 +126,7 @@ public final class Plot {
             chart.addSubtitle(PlotStyle.legend(plot, legendEdge));
         }
         equalStep.ifPresent(step -> equalizeScales(chart, step));
-        return PlotStyle.image(chart, frame.width(), frame.height(), null);
+        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, null);
     }
 
     private void equalizeScales(JFreeChart chart, double step) {

@@ -54,6 +54,8 @@ public final class PlotStyle {
     static final NumberFormat NUMBERS = new DecimalFormat("0.######", DecimalFormatSymbols.getInstance(Locale.ROOT));
     private static final TickUnits DECADES = units(1, 2, 3, 5);
     private static final TickUnits DOUBLINGS = units(Math.log10(2), 1);
+    // Least ratio of a logarithmic axis's ends, so that two powers of two lie on it.
+    private static final double LEAST_RATIO = 5;
     // Ratio of its ends below which a logarithmic axis has labels at 1, 2, 4, 8 and so on.
     private static final double LARGEST_DOUBLINGS_RATIO = 100;
     private static final NumberFormat POWERS = powers();
@@ -117,13 +119,15 @@ public final class PlotStyle {
         return axis;
     }
 
-    /** Gives logarithmic axes labels that suit the range of the data. */
+    /** Gives logarithmic axes labels that suit the range of the data, and a short range more of them. */
     static void adaptUnits(XYPlot plot) {
         for (ValueAxis axis : List.of(plot.getDomainAxis(), plot.getRangeAxis())) {
             if (axis instanceof LogAxis logarithmic) {
                 Range range = plot.getDataRange(axis);
-                boolean isShort = range.getUpperBound() < LARGEST_DOUBLINGS_RATIO * range.getLowerBound();
-                logarithmic.setStandardTickUnits(isShort ? DOUBLINGS : DECADES);
+                double ratio = range.getUpperBound() / range.getLowerBound();
+                logarithmic.setStandardTickUnits(ratio < LARGEST_DOUBLINGS_RATIO ? DOUBLINGS : DECADES);
+                double margin = Math.max(Math.pow(ratio, axis.getLowerMargin()), Math.sqrt(LEAST_RATIO / ratio));
+                axis.setRange(range.getLowerBound() / margin, range.getUpperBound() * margin);
             }
         }
     }
@@ -160,15 +164,11 @@ public final class PlotStyle {
         return legend;
     }
 
-    static BufferedImage image(JFreeChart chart, int width, int height, ChartRenderingInfo info) {
-        return chart.createBufferedImage(width, height, BufferedImage.TYPE_INT_RGB, info);
-    }
-
     /** Returns the margins that give a unit the same length along x and y. Draws the plot, since its layout is known only then. */
     static RectangleInsets equalScales(JFreeChart chart, int width, int height, double extentX, double extentY) {
         ChartRenderingInfo info = new ChartRenderingInfo();
         chart.getXYPlot().setInsets(RectangleInsets.ZERO_INSETS);
-        image(chart, width, height, info);
+        chart.createBufferedImage(width, height, BufferedImage.TYPE_INT_RGB, info);
         Rectangle2D area = info.getPlotInfo().getDataArea();
         double scale = Math.min(area.getWidth() / extentX, area.getHeight() / extentY);
         double left = 0.5 * (area.getWidth() - scale * extentX);

@@ -49,10 +49,7 @@ class RenderCommandTest extends CommandLineFixture {
         Map<String, String> text = PngText.read(picture);
         assertThat(text).containsKeys("Scene", "Plan", "Exposure", "Parameters");
         assertThat(text.get("Scene")).contains("\"blaze\"");
-        assertThat(folder.resolve("a.npy"))
-                .content(StandardCharsets.ISO_8859_1)
-                .as("its header")
-                .contains("'shape': (30, 40, 3)");
+        assertThat(folder.resolve("a.npy")).content(StandardCharsets.ISO_8859_1).contains("'shape': (30, 40, 3)");
         assertThat(render("a.png", "")).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(render("a.png", " --force")).isZero();
     }
@@ -83,10 +80,8 @@ class RenderCommandTest extends CommandLineFixture {
         assertThat(Files.readAllBytes(second)).isEqualTo(drawn);
 
         assertThat(render("turn", " --turntable 3 --resume --texture-weight 0.3"))
-                .as("other parameters")
                 .isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(err.toString()).contains("frame-0001.png", "other parameters", "--force");
-        assertThat(render("turn", " --turntable 3 --force")).isZero();
         assertThat(render("turn", " --turntable 1 --resume")).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(err.toString()).contains("cannot end before", "frame-0002.png: it exists; add --force");
         assertSuccess(render("turn", " --turntable 1 --resume --force"));
@@ -183,22 +178,18 @@ class RenderCommandTest extends CommandLineFixture {
         assertComplaint(code, "render " + scene + " --output @b.png", words);
     }
 
-    /** A grating on a smooth sphere sends only specks of light into the camera. */
+    /** A grating on a smooth sphere sends only specks of light into the camera, and a small picture may have none. */
     @Test
     void aPictureOfSpecksIsDoubtful() throws IOException {
         Files.writeString(folder.resolve("specks.json"), exampleOfTheDocs());
 
-        assertThat(sunbeam("render @specks.json --size 64x48 --output @specks.png --patch sinusoid --method full"
+        assertThat(sunbeam("render @specks.json --size 24x18 --output @specks.png --patch sinusoid --method full"
                         + " --roughness 0deg --texture-weight 0"))
                 .as(err.toString())
                 .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
         assertThat(err.toString())
                 .containsPattern("lit: .* % of \\d+ pixels")
                 .contains("of the mesh is lit", "move the light");
-        Files.writeString(scene, SCENE.replace("0.9]", "-0.9]").replace(", \"ambient\": 0.1", ""));
-        assertThat(sunbeam("render @scene.json --size 24x18 --output @dark.png"))
-                .as("a small picture of a plane lit from below: %s", err)
-                .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
     }
 
     @Test
@@ -233,10 +224,9 @@ class RenderCommandTest extends CommandLineFixture {
         }
         Path frame = folder.resolve("frame.png");
         ImageIO.write(smooth, "png", frame.toFile());
-        Path target = folder.resolve("animation.gif");
-        GifAnimation.write(target, Overwrite.REPLACE, List.of(frame), 10);
+        GifAnimation.write(folder.resolve("a.gif"), Overwrite.REPLACE, List.of(frame), 10);
 
-        BufferedImage drawn = ImageIO.read(target.toFile());
+        BufferedImage drawn = ImageIO.read(folder.resolve("a.gif").toFile());
         double[] sums = new double[SIDE / BLOCK * (SIDE / BLOCK)];
         for (int i = 0; i < SIDE * SIDE; i++) {
             int x = i % SIDE;

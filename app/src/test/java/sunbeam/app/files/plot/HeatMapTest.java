@@ -54,12 +54,10 @@ final class HeatMapTest {
                 .isZero();
     }
 
-    private int whitePixelsAcross(BufferedImage image) {
-        int count = 0;
-        for (int x = (int) area().getX() + 2; x < area().getMaxX() - 2; x++) {
-            count += (image.getRGB(x, (int) area().getCenterY()) & 0xFF) == 255 ? 1 : 0;
-        }
-        return count;
+    private long whitePixelsAcross(BufferedImage image) {
+        return IntStream.range((int) area().getX() + 2, (int) area().getMaxX() - 2)
+                .filter(x -> (image.getRGB(x, (int) area().getCenterY()) & 0xFF) == 255)
+                .count();
     }
 
     @Test
@@ -68,6 +66,16 @@ final class HeatMapTest {
         assertThat(colors.position(1e-2)).isEqualTo(0.5);
         assertThat(colors.position(0)).isZero();
         assertThat(colors.position(1)).isEqualTo(1);
+    }
+
+    @Test
+    void aShortLogarithmicAxisHasSeveralLabels() {
+        double[] errors = {1.2e-4, 1.3e-4};
+        BufferedImage image = new Plot(new Frame("", Axis.linear("x"), Axis.logarithmic("y"), 400, 300))
+                .points("", errors, errors)
+                .draw();
+        IntStream gridLines = IntStream.range(0, 300).filter(y -> image.getRGB(203, y) == 0xffdddddd);
+        assertThat(gridLines.count()).isBetween(2L, 3L);
     }
 
     private static final int BLUE = 0xff0072b2;
