@@ -266,9 +266,11 @@ public final class BrdfMapCommand extends FileCommand {
         double theta = light.degrees(LightOptions.THETA_I);
         Patch patch = surface.setup.patch();
         GratingPeriod period = GratingPeriod.of(patch).turned(surface.choices.get(ROTATE_PATCH));
-        Map<String, Object> fields = JsonOption.fields(patch, period, Verdict.of(patch, period, theta));
+        double phi = light.degrees(LightOptions.PHI_I);
+        Verdict verdict = Verdict.of(patch, period, theta, phi - Math.toDegrees(period.azimuth()));
+        Map<String, Object> fields = JsonOption.fields(patch, period, verdict);
         fields.put("theta_i_deg", theta);
-        fields.put("phi_i_deg", light.degrees(LightOptions.PHI_I));
+        fields.put("phi_i_deg", phi);
         fields.put("method", surface.choices.get(Methods.METHOD).label());
         fields.put("options", Methods.describe(surface.choices));
         return fields;

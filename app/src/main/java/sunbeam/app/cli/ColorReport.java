@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
@@ -126,7 +126,8 @@ record ColorReport(
                 color.describeHue(),
                 color.hex())));
         double reach = CoherenceWindow.ofCoherenceLength(coherenceLength).mirrorReach(0);
-        if (colored && colors.stream().noneMatch(color -> color.view().nearest() < reach)) {
+        if (colored
+                && colors.stream().noneMatch(color -> color.view().distances().getMin() < reach)) {
             lines.add("the mirror direction lies beside both planes, and most colors with it; without --phi-i the light"
                     + " stands in each plane");
         }
@@ -208,17 +209,11 @@ record ColorReport(
                 double phiIDegrees,
                 double thetaRDegrees,
                 List<DirectionPair> pairs) {
-            /** Returns the least |(u, v)| of the directions, which is 0 in the mirror direction. */
-            double nearest() {
-                return distances().min().orElseThrow();
-            }
-
-            double farthest() {
-                return distances().max().orElseThrow();
-            }
-
-            private DoubleStream distances() {
-                return pairs.stream().mapToDouble(pair -> Math.hypot(pair.u(), pair.v()));
+            /** Returns |(u, v)| of the directions, which is 0 in the mirror direction. */
+            DoubleSummaryStatistics distances() {
+                return pairs.stream()
+                        .mapToDouble(pair -> Math.hypot(pair.u(), pair.v()))
+                        .summaryStatistics();
             }
 
             String strip() {

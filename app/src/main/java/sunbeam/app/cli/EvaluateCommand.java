@@ -25,7 +25,6 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.analysis.GratingPeriod;
-import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
 import sunbeam.precompute.evaluation.GratingPlane.ResponseMatrix;
@@ -110,9 +109,10 @@ public final class EvaluateCommand extends FileCommand {
         Choices choices = limit.choices();
         GaussianArea area = GaussianArea.of(choices);
         GratingPeriod period = period(patch);
-        out.println(Verdict.of(patch, period, 0).sentence());
+        GratingPlane plane = plane(patch, period);
+        out.println(Evaluation.verdict(patch, period, plane).sentence());
         FirstOrder order = order(patch, period);
-        ResponseGrid grid = grating.grid(plane(patch, period), order, area.window());
+        ResponseGrid grid = grating.grid(plane, order, area.window());
         DiffractionSetup setup =
                 new DiffractionSetup(patch, environment(), line -> err().println(Messages.warning(line)));
         Optional<MethodPlan> plan = plan(setup, choices, grid);
@@ -142,11 +142,11 @@ public final class EvaluateCommand extends FileCommand {
     }
 
     private FirstOrder order(Patch patch, GratingPeriod period) {
-        if (!period.isSeen() && givenOrder().isEmpty()) {
-            boolean lost = grating.azimuth().isEmpty() && !period.hasWave();
-            throw new InputException(patch.name() + ": no period is seen; to look for a ridge nevertheless, give "
-                    + (lost ? "--azimuth and --period" : "--period"));
-        }
+        boolean lost = grating.azimuth().isEmpty() && !period.hasWave();
+        InputException.refuseIf(
+                !period.isSeen() && givenOrder().isEmpty(),
+                patch.name() + ": no period is seen; to look for a ridge nevertheless, give "
+                        + (lost ? "--azimuth and --period" : "--period"));
         double factor = period.isExact() ? EXACT_FACTOR : GROWN_FACTOR;
         return givenOrder().orElseGet(() -> FirstOrder.around(period.period(), factor));
     }

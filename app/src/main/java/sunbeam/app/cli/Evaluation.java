@@ -35,6 +35,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /** A patch's response in the plane of incidence, the period of its heights (docs/evaluation.md), and the first order's ridge, if any. */
@@ -58,6 +59,7 @@ record Evaluation(
     private static final double APART = 3;
     private static final int RIDGE_DIGITS = 5;
     private static final double NANOMETERS = 1e9;
+    private static final double DEGREE_PARTS = 1e9;
 
     static Evaluation of(
             Patch patch,
@@ -95,19 +97,18 @@ record Evaluation(
                 (possible ? option : "a scan whose shorter side is") + " " + longer);
     }
 
-    Verdict verdict() {
-        return Verdict.of(patch, period, 0);
+    static Verdict verdict(Patch patch, GratingPeriod period, GratingPlane plane) {
+        return Verdict.of(patch, period, degrees(plane.thetaI(), DEGREE_PARTS), Math.toDegrees(plane.phiI()));
     }
 
     String light() {
         GratingPlane plane = response.grid().plane();
-        return "light at " + degrees(plane.thetaI()) + " degrees, azimuth " + degrees(plane.azimuth()) + " degrees";
+        return "light at " + Decimals.format(degrees(plane.thetaI(), 100)) + " degrees, azimuth "
+                + Decimals.format(degrees(plane.azimuth(), 100)) + " degrees";
     }
 
-    private static String degrees(double radians) {
-        return BigDecimal.valueOf(Math.round(100 * Math.toDegrees(radians)), 2)
-                .stripTrailingZeros()
-                .toPlainString();
+    private static double degrees(double radians, double parts) {
+        return Math.rint(parts * Math.toDegrees(radians)) / parts + 0.0;
     }
 
     List<String> lines(Average average, boolean explained) {
@@ -143,10 +144,10 @@ record Evaluation(
 
     Map<String, Object> tree() {
         ResponseGrid grid = response.grid();
-        Map<String, Object> tree = JsonOption.fields(patch, period, verdict());
-        tree.put("theta_i_deg", Math.toDegrees(grid.plane().thetaI()));
-        tree.put("phi_i_deg", Math.toDegrees(grid.plane().phiI()));
-        tree.put("azimuth_deg", Math.toDegrees(grid.plane().azimuth()));
+        Map<String, Object> tree = JsonOption.fields(patch, period, verdict(patch, period, grid.plane()));
+        tree.put("theta_i_deg", degrees(grid.plane().thetaI(), DEGREE_PARTS));
+        tree.put("phi_i_deg", degrees(grid.plane().phiI(), DEGREE_PARTS));
+        tree.put("azimuth_deg", degrees(grid.plane().azimuth(), DEGREE_PARTS));
         tree.put("angles_deg", range(grid.angles(), Math.toDegrees(1)));
         tree.put("wavelengths_m", range(grid.wavelengths(), 1));
         tree.put("peaks", ValueKind.name(peaks));
@@ -190,7 +191,8 @@ record Evaluation(
     /** Plot as in the thesis's figures 4.9 to 4.11: the response, its peaks, and curves of the grating equation. */
     BufferedImage plot(String method) {
         return new Sheet(WIDTH)
-                .heading(patch.name() + ": " + verdict().sentence())
+                .heading(patch.name() + ": "
+                        + verdict(patch, period, response.grid().plane()).sentence())
                 .row(picture(method + "; " + light()))
                 .draw();
     }
@@ -206,11 +208,9 @@ record Evaluation(
                     .line("response", angles, values[0])
                     .draw();
         }
-        double high = Arrays.stream(values)
-                .flatMapToDouble(Arrays::stream)
-                .filter(value -> value > 0)
-                .max()
-                .orElse(1);
+        double largest =
+                Arrays.stream(values).flatMapToDouble(Arrays::stream).max().orElse(0);
+        double high = largest > 0 ? largest : 1;
         double[][] rows = new Array2DRowRealMatrix(values, false).transpose().getData();
         double[] x = HeatMap.Values.around(wavelengths);
         double[] y = HeatMap.Values.around(angles);
@@ -221,7 +221,7 @@ record Evaluation(
                 new HeatMap.Values(rows, x, y, colors, HeatMap.Reduction.LARGEST));
         if (period.isSure()) {
             boolean towardsNormal = !Double.isNaN(grid.plane().thetaR(-grid.wavelengths()[0] / period.period()));
-            int order = ridge.map(Ridge::order).orElse(towardsNormal ? -1 : 1);
+            int order = ridge.map(Ridge::order).orElse(towardsNormal ? 1 : -1);
             map.interval(
                     "the period, " + period.interval().replace(", 95 % interval", "; dotted: 95 % interval"),
                     wavelengths,
@@ -242,7 +242,7 @@ record Evaluation(
     }
 
     private static double[] equation(ResponseGrid grid, int order, double period) {
-        return map(grid.wavelengths(), wavelength -> Math.toDegrees(grid.plane().thetaR(order * wavelength / period)));
+        return map(grid.wavelengths(), wavelength -> Math.toDegrees(grid.plane().thetaR(-order * wavelength / period)));
     }
 
     private static double[] map(double[] values, DoubleUnaryOperator function) {

@@ -125,12 +125,12 @@ public final class GratingOptions extends SettingOptions {
         ResponseGrid grid = new ResponseGrid(plane, meters, angles(plane, order, meters));
         double allowed = COARSEST_STEP * window.sigmaFrequency();
         double coarsest = grid.coarsestStep();
-        if (coarsest > allowed) {
-            double step = Math.toDegrees(grid.angles()[1] - grid.angles()[0]);
-            throw new UsageException(Text.format(
-                    "--angles: steps of %.3g degrees are too coarse for peaks as sharp as this window's; give %.2g or less",
-                    step, 0.95 * step * allowed / coarsest));
-        }
+        double step = Math.toDegrees(grid.angles()[1] - grid.angles()[0]);
+        UsageException.throwIf(
+                coarsest > allowed,
+                Text.format(
+                        "--angles: steps of %.3g degrees are too coarse for peaks as sharp as this window's; give %.2g or less",
+                        step, 0.95 * step * allowed / coarsest));
         return grid;
     }
 

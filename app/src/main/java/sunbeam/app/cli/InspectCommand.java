@@ -9,7 +9,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -79,7 +78,7 @@ public final class InspectCommand extends FileCommand {
         Patch loaded = patchOptions.load(Choices.none());
         Messages.printScan(loaded, loaded.warnings(), explain, err());
         Path picture = writable(output, "inspect-" + loaded.name() + ".png");
-        double theta = Math.toDegrees(light.choices().get(LightOptions.THETA_I));
+        double theta = Math.rint(1e9 * Math.toDegrees(light.choices().get(LightOptions.THETA_I))) / 1e9;
         Inspection inspection = Inspection.of(loaded, theta, explain || json.isGiven());
         List<String> lines = new ArrayList<>(inspection.lines());
         if (explain) {
@@ -184,7 +183,7 @@ public final class InspectCommand extends FileCommand {
                     new Frame(title, axis + "x", axis + "y", PANEL_WIDTH, PICTURE_HEIGHT, true),
                     new Values(rows, x, y, colors, HeatMap.Reduction.LARGEST));
             if (period.hasWave()) {
-                Stream.concat(Stream.of(period.wave()), period.others().stream())
+                period.waves()
                         .forEach(wave -> picture.mark(
                                 Lengths.rounded(wave.period(), 3), wave.x() / MICROMETERS, wave.y() / MICROMETERS));
             }

@@ -79,7 +79,7 @@ record Inspection(
     }
 
     Verdict verdict() {
-        return Verdict.of(patch, period, thetaI);
+        return Verdict.of(patch, period, thetaI, 0);
     }
 
     private static String length(double meters) {

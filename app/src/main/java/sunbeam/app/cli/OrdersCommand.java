@@ -112,10 +112,10 @@ public final class OrdersCommand extends FileCommand {
                 .ifPresent(err()::println);
         FileGroup files = writableGroup(output, patch.name() + "-orders");
         GratingPeriod period = GratingPeriod.of(patch);
-        if (!period.isSeen()) {
-            throw new InputException(patch.name() + ": no orders without a period: "
-                    + Verdict.of(patch, period, 0).sentence());
-        }
+        InputException.refuseIf(
+                !period.isSeen(),
+                patch.name() + ": no orders without a period: "
+                        + Verdict.of(patch, period, 0, 0).sentence());
         OrderTable table = table(patch, period, choices, material, cie);
         table.lines().forEach(json.text(out())::println);
         Map<String, Object> tree = table.tree();
@@ -158,8 +158,7 @@ public final class OrdersCommand extends FileCommand {
         List<Incidence> incidences = IntStream.range(0, angles.length)
                 .mapToObj(i -> new Incidence(angles[i], all.subList(i * meters.length, (i + 1) * meters.length)))
                 .toList();
-        // The verdict is for light across the lines.
-        Verdict verdict = Verdict.of(patch, period, choices.has(LightOptions.PHI_I) ? 0 : thetas.minimum());
+        Verdict verdict = Verdict.of(patch, period, thetas.minimum(), phi - Math.toDegrees(period.azimuth()));
         return new OrderTable(patch, period, verdict, lattice, phi, incidences, cie);
     }
 

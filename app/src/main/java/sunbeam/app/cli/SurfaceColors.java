@@ -49,9 +49,7 @@ final class SurfaceColors {
     private static final double STEP = 1.5;
     private static final double SHORTEST_WAVELENGTH = 380e-9;
     private static final int MOST_DIRECTIONS = 400_000;
-    // Meters; ends of the first orders that verdicts name, and how much wider the range of the purest color is.
-    private static final double BLUEST = 400e-9;
-    private static final double REDDEST = 700e-9;
+    // Range of the purest color, relative to the first orders that verdicts name.
     private static final double WIDENED = 1.05;
     // Luminance, relative to a mirror's, below which no color is stated.
     private static final double FAINTEST = 1e-9;
@@ -68,6 +66,7 @@ final class SurfaceColors {
     private final List<ViewColor.View> views = new ArrayList<>();
     private final double[][] colors;
     private final CoherenceWindow window;
+    private final double reach;
     private final int directions;
     private final double angleStep;
 
@@ -97,6 +96,7 @@ final class SurfaceColors {
         this.theta = theta;
         turn = light.get(SceneSettings.ROTATE_PATCH);
         period = GratingPeriod.of(setup.patch()).turned(turn);
+        reach = window.mirrorReach(period.isSeen() ? period.period() : 0);
         azimuthDegrees = Math.toDegrees(period.hasWave() ? period.azimuth() : turn);
         lightAzimuthDegrees = light.find(LightOptions.PHI_I).map(Math::toDegrees);
         for (boolean along : new boolean[] {true, false}) {
@@ -163,7 +163,7 @@ final class SurfaceColors {
 
     /** True if a color is the surface's own: bright enough and outside the gloss, which is a thousand times brighter than any order. */
     private boolean isColor(ViewColor.View view, double[] xyz) {
-        return view.nearest() > window.mirrorReach(period.isSeen() ? period.period() : 0) && xyz[1] >= FAINTEST;
+        return view.distances().getMin() > reach && xyz[1] >= FAINTEST;
     }
 
     /** True where the samples resolve what diffracts all visible light and, for a grating, where its first and second orders lie. */
@@ -179,11 +179,11 @@ final class SurfaceColors {
                 period.others().stream().mapToDouble(SpatialFrequency::period).toArray();
         double shortest = period.isSure() ? period.low() : period.period();
         double longest = period.isSure() ? period.high() : period.period();
-        double red = 2 * REDDEST / Arrays.stream(others).reduce(shortest, Math::min);
-        double violet = BLUEST / Arrays.stream(others).reduce(longest, Math::max);
+        double red = 2 * Verdict.RED / Arrays.stream(others).reduce(shortest, Math::min);
+        double violet = Verdict.VIOLET / Arrays.stream(others).reduce(longest, Math::max);
         return (view.along() || others.length > 0)
-                && view.nearest() <= WIDENED * red
-                && view.farthest() >= violet / WIDENED;
+                && view.distances().getMin() <= WIDENED * red
+                && view.distances().getMax() >= violet / WIDENED;
     }
 
     private static boolean isResolved(double u, double pitch, int samples) {
@@ -203,15 +203,17 @@ final class SurfaceColors {
         return new LinearPicture(some.size(), 1, Floats.of(3 * some.size(), i -> some.get(i / 3)[i % 3]));
     }
 
-    /** Returns the verdict for this light if it lies in the viewing planes, else for light along the normal. */
+    /** Returns the verdict for this light. If no view has a color though the surface has, it says why. */
     private Verdict verdict() {
-        Verdict verdict = Verdict.of(patch(), period, lightAzimuthDegrees.isEmpty() ? theta : 0);
-        String blurred = Text.format(
-                "No color can be told: light that is coherent over only %s, as far as the scan or the light reaches,"
-                        + " blurs every order into the gloss",
-                Lengths.rounded(window.coherenceLength(), 3));
+        Verdict verdict =
+                Verdict.of(patch(), period, theta, lightAzimuthDegrees.orElse(azimuthDegrees) - azimuthDegrees);
+        String why = views.stream().anyMatch(view -> view.distances().getMin() > reach)
+                ? "No color is seen: the orders lie beside both planes (give no --phi-i) or beyond --angles"
+                : "No color can be told: light that is coherent over only "
+                        + Lengths.rounded(window.coherenceLength(), 3)
+                        + ", as far as the scan or the light reaches, blurs every order into the gloss";
         return verdict.hasColor() && outsideGloss().isEmpty()
-                ? new Verdict(verdict.code(), blurred, verdict.firstOrders())
+                ? new Verdict(verdict.code(), why, verdict.firstOrders())
                 : verdict;
     }
 

@@ -3,7 +3,6 @@ package sunbeam.app.viewer;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -111,7 +110,7 @@ final class MapPresenter {
         Optional<GratingPeriod> known =
                 wantedPatch().filter(wanted -> wanted == patch).flatMap(wanted -> period);
         List<GratingOrders> orders = known.filter(GratingPeriod::isSeen).stream()
-                .flatMap(found -> Stream.concat(Stream.of(found.wave()), found.others().stream()))
+                .flatMap(found -> found.waves().stream())
                 .map(wave -> new GratingOrders(wave, displayed.light()))
                 .toList();
         String words = known.map(found -> found.isSeen()

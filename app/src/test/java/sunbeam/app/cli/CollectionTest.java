@@ -190,13 +190,13 @@ final class CollectionTest extends CommandLineFixture {
 
     @Test
     void anAngleOfARangeIsARow() throws IOException {
-        assertSuccess(inspect("sinusoid --theta-i 0:40:20 --json"));
+        assertSuccess(inspect("sinusoid --theta-i 0:60:30 --json"));
 
-        assertThat(column("theta_i_deg")).containsExactly("0.0", "20.0", "40.0");
-        // A period of 2.5 um under light at 40 degrees has its first orders from asin(0.4 / 2.5 - sin 40) = -28.9
+        assertThat(column("theta_i_deg")).containsExactly("0.0", "30.0", "60.0");
+        // A period of 2.5 um under light at 60 degrees has its first orders from asin(0.4 / 2.5 - sin 60) = -44.9
         // degrees.
         String[] angles = table("table.csv").get(2).getField("first_orders_deg").split(" to ", -1);
-        assertThat(Double.parseDouble(angles[0])).isCloseTo(-28.9, within(0.1));
+        assertThat(Double.parseDouble(angles[0])).isCloseTo(-44.9, within(0.1));
         JsonNode summary = new ObjectMapper().readTree(out.toString());
         assertThat(summary.at("/verdict_codes/sure_grating").intValue()).isEqualTo(3);
     }

@@ -53,11 +53,12 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(report.at("/peaks_interpolated/wavelengths").intValue()).isEqualTo(21);
         assertThat(report.at("/azimuth_deg").doubleValue()).isZero();
         assertThat(nanometers("/period_m")).isCloseTo(2500, within(1e-6));
-        String verdict =
-                "A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16 degrees";
+        // sin theta_r = lambda / d - sin 75, for 400 and 700 nm: order 1 of wr = -wi + m lambda / d.
+        String verdict = "A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at -54 to -43"
+                + " degrees under light at 75 degrees";
         assertThat(out.toString())
                 .startsWith(verdict)
-                .contains("blaze, light at 75 degrees, azimuth 0 degrees", "2.5003 um");
+                .contains("blaze, light at 75 degrees, azimuth 0 degrees", "2.5003 um", ", order 1:");
         assertThat(report.get("verdict").textValue()).startsWith(verdict);
         assertThat(folder.toFile().list()).contains("result.csv", "result.json", "result.png");
         String plan = report.at("/plan").textValue();

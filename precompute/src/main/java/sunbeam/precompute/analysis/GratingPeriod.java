@@ -22,7 +22,7 @@ import sunbeam.precompute.units.Lengths;
  * @param azimuthHalfWidth half width of the direction's 95 % interval, radians; 0 if exact
  * @param periods number in the scan along the wave; infinite for a surface that repeats
  * @param share share of the heights' variance (without waviness) in the wave, or a lattice's waves, and overtones, 0..1
- * @param others up to two waves in other directions, each at least half as strong
+ * @param others up to two waves in other directions and one in the same, each at least half as strong
  * @param reason why the period is not sure; empty if it is
  */
 public record GratingPeriod(
@@ -55,7 +55,7 @@ public record GratingPeriod(
     // Meters: half of sunlight's coherence length. A larger patch may hold enough lines.
     private static final double LARGEST_REPEATED = 32.5e-6;
     // Sine of 2 degrees.
-    private static final double CONE = 0.035;
+    static final double CONE = 0.035;
     // Three periods of four samples.
     private static final int FEWEST_SAMPLES = 12;
     // Meters; three of the shortest periods with colors under light from above.
@@ -208,7 +208,10 @@ public record GratingPeriod(
 
     /** Whether waves of about one length run in two or three directions. */
     boolean isLattice() {
-        return !others.isEmpty() && others.stream().allMatch(other -> Math.abs(other.period() / period() - 1) < ALIKE);
+        return !others.isEmpty()
+                && others.stream()
+                        .allMatch(
+                                other -> other.sineTo(wave) > CONE && Math.abs(other.period() / period() - 1) < ALIKE);
     }
 
     /** Returns the azimuth rounded to parts of a degree, above -90 and at most 90. */
@@ -236,7 +239,7 @@ public record GratingPeriod(
         return isSure() ? interval() : "probably about " + Lengths.rounded(period(), 2) + " (" + reason + ")";
     }
 
-    List<SpatialFrequency> waves() {
+    public List<SpatialFrequency> waves() {
         return Stream.concat(Stream.of(wave), others.stream()).toList();
     }
 

@@ -53,11 +53,8 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
                 samples[column] = tapering.applyAsDouble(row * map.columns() + column);
             }
         });
-        double squares = 0;
-        for (int i = 0; i < level.heights().length; i++) {
-            double height = tapering.applyAsDouble(i);
-            squares += height * height;
-        }
+        DoubleStream heights = IntStream.range(0, level.heights().length).mapToDouble(tapering);
+        double squares = heights.map(height -> height * height).sum();
         return new HeightSpectrum(
                 bandX, bandY, columns * map.pitchX(), rows * map.pitchY(), power, squares / columns / rows);
     }
@@ -68,12 +65,10 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
     }
 
     private static double[] taper(int samples, boolean tapered) {
-        double[] taper = new double[samples];
-        for (int i = 0; i < samples; i++) {
-            double sine = Math.sin(Math.PI * (i + 0.5) / samples);
-            taper[i] = tapered && samples > 1 ? sine * sine / Math.sqrt(0.375) : 1;
-        }
-        return taper;
+        return IntStream.range(0, samples)
+                .mapToDouble(i -> Math.sin(Math.PI * (i + 0.5) / samples))
+                .map(sine -> tapered && samples > 1 ? sine * sine / Math.sqrt(0.375) : 1)
+                .toArray();
     }
 
     /** Returns the power of a bin in square meters; 0 outside the bands. */
@@ -163,10 +158,8 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         private Family family(int jx, int jy, SpatialFrequency strongest) {
             int number = ArithmeticUtils.gcd(jx, jy);
             double[] powers = overtones(jx / number, jy / number).toArray();
-            int fundamental = number;
-            for (int k = 1; k <= powers.length; k++) {
-                fundamental = powers[k - 1] > OVERTONE * all ? ArithmeticUtils.gcd(fundamental, k) : fundamental;
-            }
+            IntStream strong = IntStream.rangeClosed(1, powers.length).filter(k -> powers[k - 1] > OVERTONE * all);
+            int fundamental = strong.reduce(number, ArithmeticUtils::gcd);
             int x = jx / number * fundamental;
             int y = jy / number * fundamental;
             SpatialFrequency wave = strongest.times((double) fundamental / number);

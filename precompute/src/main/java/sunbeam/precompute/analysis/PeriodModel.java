@@ -1,6 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
@@ -81,7 +82,11 @@ record PeriodModel(
         double sharpness = search.sharpness(line);
         boolean sharp = sharpness >= SHARP || tiles(line) < 2;
         List<SpatialFrequency> waves = new ArrayList<>(lines);
-        waves.set(0, sharp ? corrected(level, line) : search.centroid(line));
+        List<SpatialFrequency> parallel = lines.stream()
+                .skip(1)
+                .filter(other -> other.sineTo(line) < GratingPeriod.CONE)
+                .toList();
+        waves.set(0, sharp ? corrected(without(parallel), line) : search.centroid(line));
         boolean lattice = GratingPeriod.vague(waves, 0, 0).isLattice();
         waves = sharp && lattice ? refined(waves) : waves;
         SpatialFrequency wave = waves.get(0);
@@ -111,7 +116,7 @@ record PeriodModel(
             return vague.tooLittle(Text.format("only %.1f periods of about %s", seen, about));
         }
         // The centroid of speckles may lie between two of them; that of straight lines does not.
-        double prominence = search.prominence(straight ? wave : line);
+        double prominence = search.prominence(straight ? wave : line, parallel);
         boolean alone = !few && search.isAlone(wave);
         double least = few || alone ? LEAST_OF_FEW : straight ? LEAST_OF_STRAIGHT : LEAST_PROMINENCE;
         if (contrast < (few ? CONTRAST_OF_FEW : WaveSearch.LEAST_CONTRAST) || prominence < least) {
@@ -153,11 +158,8 @@ record PeriodModel(
                 all += level.at(column, row) * level.at(column, row);
             }
         }
-        double left = 0;
-        for (int i = 0; i < count; i++) {
-            left += sums[i] * sums[i] / Math.max(1, counts[i]);
-        }
-        return left / all;
+        Arrays.setAll(sums, i -> sums[i] * sums[i] / Math.max(1, counts[i]));
+        return StatUtils.sum(sums) / all;
     }
 
     private GratingPeriod byPhase(GratingPeriod vague) {

@@ -99,10 +99,8 @@ record PhaseSlope(double value, double halfWidth) {
         double window = WINDOW_PERIODS * wave.period();
         double[] cosines = new double[count];
         double[] sines = new double[count];
-        for (int k = 0; k < count; k++) {
-            cosines[k] = Math.cos(2 * Math.PI * k * step / window);
-            sines[k] = Math.sin(2 * Math.PI * k * step / window);
-        }
+        Arrays.setAll(cosines, k -> Math.cos(2 * Math.PI * k * step / window));
+        Arrays.setAll(sines, k -> Math.sin(2 * Math.PI * k * step / window));
         for (int row = 0; row < level.rows(); row++) {
             double y = (0.5 * level.rows() - row - 0.5) * level.pitchY();
             for (int column = 0; column < level.columns(); column++) {

@@ -32,9 +32,9 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     }
 
     /** Meters; wavelengths at which the eye sees enough to name a color. */
-    static final double VIOLET = 400e-9;
+    public static final double VIOLET = 400e-9;
 
-    private static final double RED = 700e-9;
+    public static final double RED = 700e-9;
     // Sine of the smallest resolved angle to the mirror direction.
     private static final double FINEST_ANGLE = Math.sin(Math.toRadians(0.1));
     private static final double MICROMETERS_PER_METER = 1e6;
@@ -44,8 +44,8 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     // Sine of 4 degrees: a scanner's axes differ in scale and angle.
     private static final double SLANT = 0.07;
 
-    /** Light at theta degrees in the plane across the lines: "A grating ...: first-order colors at -9 to 11 degrees ...". */
-    public static Verdict of(Patch patch, GratingPeriod period, double theta) {
+    /** Light at theta to the normal and azimuth phi to the wave, degrees: "A grating ...: first-order colors at -9 to 11 degrees ...". */
+    public static Verdict of(Patch patch, GratingPeriod period, double theta, double phi) {
         if (patch.isMirror()) {
             return new Verdict(
                     Code.MIRROR, "A mirror: the relief is far below a wavelength, so that it has no color", List.of());
@@ -58,12 +58,13 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         boolean lattice = period.isLattice();
         Code sure = lattice ? Code.LATTICE : Code.SURE_GRATING;
         Code seen = period.isSure() ? sure : lattice ? Code.PROBABLE_LATTICE : Code.PROBABLE_GRATING;
-        double mirror = Math.abs(Math.sin(Math.toRadians(theta)));
-        boolean finer = VIOLET / (period.isSure() ? period.high() : period.period()) - mirror >= 1;
-        List<Band> firstOrders = firstOrders(period, theta);
+        double along = Math.sin(Math.toRadians(theta)) * Math.cos(Math.toRadians(phi));
+        // Orders keep the light's component along the lines.
+        double horizon = Math.cos(Math.asin(Math.sin(Math.toRadians(theta)) * Math.sin(Math.toRadians(phi))));
+        List<Band> firstOrders = firstOrders(period, -along, horizon);
         return new Verdict(
-                finer ? Code.FINER_THAN_LIGHT : seen,
-                (lattice ? lattice(period) : grating(period)) + ": " + colors(period, theta, finer, firstOrders),
+                firstOrders.isEmpty() ? Code.FINER_THAN_LIGHT : seen,
+                (lattice ? lattice(period) : grating(period)) + ": " + colors(period, theta, phi, firstOrders),
                 firstOrders);
     }
 
@@ -73,8 +74,8 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
 
     private static String grating(GratingPeriod period) {
         String crossing = period.others().stream()
-                .map(other -> ", crossed by lines of about " + Lengths.rounded(other.period(), DIGITS) + " across "
-                        + GratingPeriod.direction(other))
+                .map(other -> (other.sineTo(period.wave()) < SLANT ? ", overlaid" : ", crossed") + " by lines of about "
+                        + Lengths.rounded(other.period(), DIGITS) + " across " + GratingPeriod.direction(other))
                 .collect(Collectors.joining());
         String kind = !period.isSure()
                 ? "Probably a grating of about "
@@ -109,16 +110,18 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         double middle = factor * MICROMETERS_PER_METER * period.period();
         double low = least * MICROMETERS_PER_METER * period.low();
         double high = most * MICROMETERS_PER_METER * period.high();
-        double uncertainty = 0.5 * (high - low);
+        double uncertainty = 0.5 * ((Double.isFinite(high) ? high : middle) - low);
+        String end = Double.isFinite(high) ? " to " + Decimals.within(high, uncertainty) : " or more";
         return period.isExact()
                 ? Decimals.rounded(middle, DIGITS) + " um"
-                : Decimals.within(middle, uncertainty) + " um (" + Decimals.within(low, uncertainty) + " to "
-                        + Decimals.within(high, uncertainty) + ")";
+                : Decimals.within(middle, uncertainty) + " um (" + Decimals.within(low, uncertainty) + end + ")";
     }
 
-    private static String colors(GratingPeriod period, double theta, boolean finer, List<Band> firstOrders) {
-        String light = theta == 0 ? "light from above" : "light at " + Decimals.rounded(theta, DIGITS) + " degrees";
-        if (finer) {
+    private static String colors(GratingPeriod period, double theta, double phi, List<Band> firstOrders) {
+        double turn = rounded(Math.IEEEremainder(phi, 360), 1000);
+        String light = (theta == 0 ? "light from above" : "light at " + Decimals.rounded(theta, DIGITS) + " degrees")
+                + (theta == 0 || turn == 0 ? "" : ", turned by " + Decimals.format(turn) + " degrees");
+        if (firstOrders.isEmpty()) {
             return "finer than light, so that " + light + " has no first-order colors";
         }
         if (RED / (period.isSure() ? period.low() : period.period()) < FINEST_ANGLE) {
@@ -132,14 +135,15 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         return "first-order colors " + angles + " under " + light;
     }
 
-    /** sin theta = +-lambda / d - sin theta_i for all periods in the interval. */
-    private static List<Band> firstOrders(GratingPeriod period, double theta) {
-        double mirror = -Math.sin(Math.toRadians(theta));
+    /** sin theta = +-lambda / d - sin theta_i cos phi for all periods in the interval, within the horizon's sine. */
+    private static List<Band> firstOrders(GratingPeriod period, double mirror, double horizon) {
         double blue = VIOLET / (period.isSure() ? period.high() : period.period());
         double red = RED / (period.isSure() ? period.low() : period.period());
         return DoubleStream.of(1, -1)
-                .filter(side -> Math.abs(mirror + side * blue) < 1)
-                .mapToObj(side -> new Band(degrees(mirror + side * blue), degrees(mirror + side * red)))
+                .filter(side -> Math.abs(mirror + side * blue) < horizon)
+                .mapToObj(side -> new Band(
+                        degrees(mirror + side * blue),
+                        degrees(Math.max(-horizon, Math.min(horizon, mirror + side * red)))))
                 .toList();
     }
 
@@ -152,7 +156,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     }
 
     private static double degrees(double sine) {
-        return Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, sine))));
+        return Math.toDegrees(Math.asin(sine));
     }
 
     private static double rounded(double degrees, int parts) {

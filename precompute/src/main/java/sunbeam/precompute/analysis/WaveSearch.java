@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.precompute.numerics.Lagrange;
@@ -35,6 +36,8 @@ record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, do
     static final double LEAST_RING = 4;
     // Sectors of 15 degrees in half a turn: rows of a snake's scale stray by 8.
     private static final int SECTORS = 12;
+    // Prominence of gratings; noise along one axis reaches 23.
+    private static final double LEAST_PARALLEL = 50;
     // Frequencies below this share of a wave's are waviness.
     private static final double COARSEST = 0.5;
     // Frequencies beside a line, as shares of its own.
@@ -128,11 +131,9 @@ record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, do
             boolean counts = frequency.length() > COARSEST * wave.length() && which.test(frequency);
             all -= counts ? 0 : i == power.length / 2 ? 0.5 * power[i] : power[i];
         }
-        double explained = 0;
-        for (int k = 1; k <= OVERTONES; k++) {
-            explained += around(wave.times(k), BREADTH / k, which).power();
-        }
-        return all > 0 ? Math.min(1, explained / all) : 0;
+        DoubleStream explained = IntStream.rangeClosed(1, OVERTONES)
+                .mapToDouble(k -> around(wave.times(k), BREADTH / k, which).power());
+        return all > 0 ? Math.min(1, explained.sum() / all) : 0;
     }
 
     /** Mean power in a line's sector over the median sector of the ring at its frequency. */
@@ -157,9 +158,7 @@ record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, do
             sums[sector] += spectrum.power()[place];
             counts[sector]++;
         }
-        for (int i = 0; i < SECTORS; i++) {
-            sums[i] /= Math.max(1, counts[i]);
-        }
+        Arrays.setAll(sums, i -> sums[i] / Math.max(1, counts[i]));
         double line = sums[0];
         Arrays.sort(sums);
         return line / sums[SECTORS / 2];
@@ -177,28 +176,24 @@ record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, do
     private double top(SpatialFrequency frequency) {
         int x = (int) Math.rint(frequency.x() * spectrum.width());
         int y = (int) Math.rint(frequency.y() * spectrum.height());
-        double highest = 0;
-        for (int jy = y - 1; jy <= y + 1; jy++) {
-            for (int jx = x - 1; jx <= x + 1; jx++) {
-                highest = Math.max(highest, spectrum.at(jx, jy));
-            }
-        }
-        return highest;
+        DoubleStream square = IntStream.range(0, 9).mapToDouble(i -> spectrum.at(x - 1 + i % 3, y - 1 + i / 3));
+        return square.max().orElseThrow();
     }
 
-    /** Height of a wave's peak over the larger median beside it. */
-    double prominence(SpatialFrequency wave) {
-        return top(wave) / Math.max(beside(wave, COARSER_FROM, COARSER_TO), beside(wave, FINER_FROM, FINER_TO));
+    /** Height of a wave's peak over the larger median beside it, without the bins of other waves. */
+    double prominence(SpatialFrequency wave, List<SpatialFrequency> others) {
+        double coarser = beside(wave, others, COARSER_FROM, COARSER_TO);
+        return top(wave) / Math.max(coarser, beside(wave, others, FINER_FROM, FINER_TO));
     }
 
     /** Median over frequencies of the highest bin in the wave's sector: all but one are empty if the surface varies along one axis only. */
-    private double beside(SpatialFrequency wave, double from, double to) {
+    private double beside(SpatialFrequency wave, List<SpatialFrequency> others, double from, double to) {
         double within = Math.sin(0.5 * Math.PI / SECTORS);
         double step = Math.hypot(wave.x() / spectrum.width(), wave.y() / spectrum.height()) / wave.length();
         Map<Long, Double> highest = new HashMap<>();
         for (int place : binsBetween(wave, from, to)) {
             SpatialFrequency frequency = spectrum.frequency(place);
-            if (frequency.sineTo(wave) <= within) {
+            if (frequency.sineTo(wave) <= within && others.stream().noneMatch(other -> isNear(frequency, other, 0))) {
                 highest.merge(Math.round(frequency.length() / step), spectrum.power()[place], Math::max);
             }
         }
@@ -229,27 +224,39 @@ record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, do
     }
 
     /**
-     * Returns the line and up to two in other directions, half as strong or stronger, that are no sums or differences of coarser ones; the
-     * strongest is first.
+     * Returns the line, up to two in other directions that are no sums or differences of coarser ones, and one along the line's direction that
+     * is no overtone, half as strong or stronger; the strongest is first.
      */
     List<SpatialFrequency> lines(SpatialFrequency line) {
         double beside = Math.sin(1.5 * Math.PI / SECTORS);
-        double least = AS_STRONG * around(line, BREADTH, which).power();
         List<SpatialFrequency> found = new ArrayList<>(List.of(line));
-        // Not waviness, a wide line's own bins, or its opposite's.
-        Predicate<SpatialFrequency> apart = other -> which.test(other)
-                && other.length() > COARSEST * line.length()
-                && found.stream().allMatch(known -> other.sineTo(known) > beside && !isNear(other, known, BREADTH));
         for (int i = 1; i < MOST_LINES; i++) {
-            strongest(apart)
-                    .filter(other -> around(other, BREADTH, which).power() >= least)
-                    .filter(other -> contrast(other) >= LEAST_CONTRAST)
+            another(found, other -> found.stream().allMatch(known -> other.sineTo(known) > beside))
                     .ifPresent(found::add);
         }
-        return found.stream()
+        List<SpatialFrequency> lines = new ArrayList<>(found.stream()
                 .filter(sum -> found.stream().noneMatch(one -> found.stream().anyMatch(two -> isSum(sum, one, two))))
                 .limit(MOST_DIRECTIONS)
-                .toList();
+                .toList());
+        SpatialFrequency first = lines.get(0);
+        // The flank of a wide line or an overtone has its highest bin at the edge of what is left out.
+        another(
+                        lines,
+                        other -> other.sineTo(first) < GratingPeriod.CONE
+                                && IntStream.rangeClosed(2, OVERTONES).noneMatch(k -> isNear(other, first.times(k), 0)))
+                .filter(other -> strongest(near -> isNear(near, other, 0)).equals(Optional.of(other)))
+                .filter(other -> prominence(other, lines) >= LEAST_PARALLEL)
+                .ifPresent(lines::add);
+        return lines;
+    }
+
+    private Optional<SpatialFrequency> another(List<SpatialFrequency> found, Predicate<SpatialFrequency> also) {
+        double length = found.get(0).length();
+        double least = AS_STRONG * around(found.get(0), BREADTH, which).power();
+        // Not waviness, a wide line's own bins, or its opposite's.
+        return strongest(also.and(other -> other.length() > COARSEST * length
+                        && found.stream().noneMatch(known -> isNear(other, known, BREADTH))))
+                .filter(other -> around(other, BREADTH, which).power() >= least && contrast(other) >= LEAST_CONTRAST);
     }
 
     private boolean isSum(SpatialFrequency sum, SpatialFrequency one, SpatialFrequency two) {

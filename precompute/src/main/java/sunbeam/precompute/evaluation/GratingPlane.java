@@ -16,7 +16,7 @@ import sunbeam.precompute.optics.Gain;
  *
  * <p>A direction to the viewer has a signed angle theta_r, whose sine is its component along the grating's direction, positive on the
  * light's side for phi 0: the mirror lies at theta_r = -theta_i. The grating equation then reads
- * {@code u = -(sin theta_i cos phi + sin theta_r) = m lambda / d}.
+ * {@code -u = sin theta_i cos phi + sin theta_r = m lambda / d}.
  *
  * @param thetaI angle of the light to the normal, radians, 0 to below pi / 2
  * @param phiI azimuth of the light against the grating's direction, radians

@@ -8,8 +8,8 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.stat.descriptive.DescriptiveStatistics;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
-import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
 import sunbeam.precompute.evaluation.GratingPlane.ResponseMatrix;
 import sunbeam.precompute.evaluation.GratingPlane.ResponseMatrix.ResponseGrid;
@@ -17,9 +17,9 @@ import sunbeam.precompute.numerics.Lagrange;
 
 /** Peaks of a response: one angle theta_r, radians, at each wavelength that has one, meters, ascending. */
 public record Ridge(GratingPlane plane, double[] wavelengths, double[] angles) {
-    /** Returns the order, +1 or -1, which is the sign of u: -1 if theta_r is above the mirror's angle, else 1. */
+    /** Returns the order m, +1 or -1, of wr = -wi + m lambda / d along the grating: 1 if theta_r is above the mirror's angle, else -1. */
     public int order() {
-        return plane.u(angles[0]) < 0 ? -1 : 1;
+        return plane.u(angles[0]) < 0 ? 1 : -1;
     }
 
     /** Returns the period d = lambda / |u| at each wavelength, meters. */
@@ -31,11 +31,7 @@ public record Ridge(GratingPlane plane, double[] wavelengths, double[] angles) {
 
     /** Returns the statistics of the periods, as in the thesis's Table 4.1. */
     public StatisticalSummary statistics() {
-        SummaryStatistics statistics = new SummaryStatistics();
-        for (double period : periods()) {
-            statistics.addValue(period);
-        }
-        return statistics.getSummary();
+        return new DescriptiveStatistics(periods());
     }
 
     /** Way to find the angle of the first order at each wavelength of a response. */

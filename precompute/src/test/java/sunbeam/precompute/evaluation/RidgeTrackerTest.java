@@ -63,7 +63,7 @@ final class RidgeTrackerTest {
                         new double[] {side / 1.7e-6},
                         (each, wavelength) -> 1)
                 .orElseThrow();
-        assertThat(ridge.order()).isEqualTo(side);
+        assertThat(ridge.order()).isEqualTo(-side);
         assertThat(ridge.wavelengths()).hasSize(WAVELENGTHS);
         assertThat(Arrays.stream(ridge.periods())).allMatch(period -> Math.abs(period - 1.7e-6) < 0.5e-9);
     }
