@@ -81,12 +81,8 @@ record ColorReport(
                     view, radiances, quantile(wavelengths, below, 0.25), quantile(wavelengths, below, 0.75));
         }
 
-        double width() {
-            return to - from;
-        }
-
         void putBand(Map<String, Object> fields) {
-            fields.put("width_m", width());
+            fields.put("width_m", to - from);
             fields.put("quarter_m", from);
             fields.put("three_quarters_m", to);
         }
@@ -119,8 +115,9 @@ record ColorReport(
     List<String> lines() {
         List<String> lines = new ArrayList<>(List.of(verdict.sentence()));
         purest.ifPresent(color -> lines.add(Text.format(
-                "purest color at %s degrees in the plane of azimuth %s (%s): %s, %s",
+                "purest color at %s degrees%s in the plane of azimuth %s (%s): %s, %s",
                 Decimals.format(Math.rint(1000 * color.view().thetaRDegrees()) / 1000 + 0.0),
+                isOfSecondOrder(color) ? " (second order)" : "",
                 Text.wholeDegrees(color.view().phiDegrees()),
                 color.view().strip(),
                 color.describeHue(),
@@ -132,6 +129,12 @@ record ColorReport(
                     + " stands in each plane");
         }
         return lines;
+    }
+
+    private boolean isOfSecondOrder(ViewColor color) {
+        double meters = color.view().distances().getAverage() * period.period();
+        return period.others().isEmpty()
+                && Math.round(1e9 * meters / color.hue().nanometers()) == 2;
     }
 
     Map<String, Object> fields() {

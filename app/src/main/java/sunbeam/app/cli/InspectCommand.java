@@ -166,11 +166,9 @@ public final class InspectCommand extends FileCommand {
                 int jy = row - reachY;
                 Arrays.setAll(rows[row], column -> spectrum.at(column - reachX, jy) * NANOMETERS * NANOMETERS);
             }
-            double high = Arrays.stream(rows)
-                    .flatMapToDouble(Arrays::stream)
-                    .filter(power -> power > 0)
-                    .max()
-                    .orElse(1);
+            double largest =
+                    Arrays.stream(rows).flatMapToDouble(Arrays::stream).max().orElse(0);
+            double high = largest > 0 ? largest : 1;
             Colors colors = new Colors(
                     "power of a bin / nm^2", SPAN * high, high, Plot.Scale.LOGARITHMIC, HeatMap.ColorMap.VIRIDIS);
             double halfX = (reachX + 0.5) / spectrum.width() / MICROMETERS;

@@ -184,8 +184,11 @@ class ColorCommandTest extends CommandLineFixture {
         assertThat(out.toString().lines().count() + err.toString().lines().count())
                 .isLessThanOrEqualTo(8);
         assertThat(err.toString()).as("without --explain").doesNotContain("plan:");
-        tell("--patch sinusoid --theta-i 60 --phi-i 180");
-        assertThat(out.toString()).contains("at 36 to 45 degrees under light at 60 degrees, turned by 180 degrees");
+        tell("--patch blaze --theta-i 20 --phi-i 180 --coherence-length 65um");
+        assertThat(out.toString())
+                .contains(
+                        "at 4 to 10 degrees under light at 20 degrees, turned by 180 degrees",
+                        "54 degrees (second order)");
         run("--patch sinusoid --theta-i 30 --phi-i 90");
         assertThat(out.toString()).startsWith("No color is seen: the orders lie beside both planes (give no --phi-i)");
         tell("--patch sinusoid --explain");

@@ -108,8 +108,10 @@ class ColorSheetTest {
                 i -> gaussian.applyAsDouble(i) * (i % 10 < 5 ? 2 : 0) * ((int) i / 10 == 17 ? 3 : 1);
         ViewColor.View view = seen(true, 0, 1).view();
         // The quartiles of a normal distribution.
-        assertThat(ColorReport.Spectrum.of(view, fine(gaussian)).width()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
+        ColorReport.Spectrum smooth = ColorReport.Spectrum.of(view, fine(gaussian));
+        assertThat(smooth.to() - smooth.from()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
         // The grain has a fifth of the light, so the quartiles move closer by about a fifth.
-        assertThat(ColorReport.Spectrum.of(view, fine(speckled)).width()).isBetween(40e-9, 60e-9);
+        ColorReport.Spectrum grain = ColorReport.Spectrum.of(view, fine(speckled));
+        assertThat(grain.to() - grain.from()).isBetween(40e-9, 60e-9);
     }
 }

@@ -60,6 +60,7 @@ class OrdersCommandTest extends CommandLineFixture {
     void theTableIsAListOfDirectionsAndAddsUp() throws IOException {
         assertSuccess(run("lamellar --theta-i 30 --phi-i 90 --wavelengths 500 --index 0.97+6.5i"));
 
+        assertThat(out.toString()).contains("under light at 30 degrees, turned by 90 degrees");
         assertThat(folder.resolve("o.csv"))
                 .content()
                 .startsWith("theta_i,phi_i,theta_r,phi_r,wavelength,m,n,efficiency,low,high,sum,mirror\n");
@@ -115,12 +116,6 @@ class OrdersCommandTest extends CommandLineFixture {
         assertThat(folder.resolve("a.png")).exists();
         assertThat(folder.resolve("a.csv.csv")).doesNotExist();
         assertComplaint(ExitCode.USAGE, "orders blaze --wavelengths 500 --output ", "--output '' names no file");
-    }
-
-    @Test
-    void theVerdictIsForTheLightsAngle() {
-        assertSuccess(run("blaze --theta-i 30 --wavelengths 500"));
-        assertThat(out.toString()).contains("under light at 30 degrees").doesNotContain("from above");
     }
 
     @ParameterizedTest

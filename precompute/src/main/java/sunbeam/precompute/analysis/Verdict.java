@@ -118,7 +118,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     }
 
     private static String colors(GratingPeriod period, double theta, double phi, List<Band> firstOrders) {
-        double turn = rounded(Math.IEEEremainder(phi, 360), 1000);
+        double turn = rounded(Math.IEEEremainder(phi, 360), 10);
         String light = (theta == 0 ? "light from above" : "light at " + Decimals.rounded(theta, DIGITS) + " degrees")
                 + (theta == 0 || turn == 0 ? "" : ", turned by " + Decimals.format(turn) + " degrees");
         if (firstOrders.isEmpty()) {
