@@ -40,20 +40,12 @@ class VerdictTest {
         return piece(Surfaces.of(150, 150, 100e-9, heights));
     }
 
-    private static Patch repeated(HeightMap map) {
-        return scan(map, Patch.Repetition.PERIODIC);
-    }
-
     private static double sine(double position, double period) {
         return 50e-9 * Math.sin(2 * Math.PI * position / period);
     }
 
     private static String verdict(Patch patch) {
-        return verdict(patch, 0);
-    }
-
-    private static String verdict(Patch patch, double lightDegrees) {
-        return Verdict.of(patch, GratingPeriod.of(patch), lightDegrees, 0).sentence();
+        return Verdict.of(patch, GratingPeriod.of(patch), 0, 0).sentence();
     }
 
     private static Stream<Arguments> sentences() {
@@ -84,7 +76,9 @@ class VerdictTest {
                 // Every second line is a little higher: the strongest wave is an overtone.
                 Arguments.of(
                         "A repeated patch with a period of 2 um.*",
-                        repeated(Surfaces.of(120, 40, 50e-9, (x, y) -> 0.3 * sine(x, 2e-6) + 1.6 * sine(x, 1e-6)))),
+                        scan(
+                                Surfaces.of(120, 40, 50e-9, (x, y) -> 0.3 * sine(x, 2e-6) + 1.6 * sine(x, 1e-6)),
+                                Patch.Repetition.PERIODIC)),
                 // Lines 120 nm apart have no waves of 190 nm or more, the range of visible light.
                 Arguments.of(
                         "No order found: most of the relief is finer than light resolves.*",
@@ -109,15 +103,18 @@ class VerdictTest {
 
     /**
      * sin theta = +-lambda / d - 1/2: -9.6 and 4.8, -56.4 and beyond -90 degrees for 1.2 um; +-lambda / d - 0.17: 2.1 to 11.2 degrees, and
-     * -22.6 to -32.8 for 1.9 um.
+     * -22.6 to -32.8 for 1.9 um. Light along the lines has the angles of light from above.
      */
     @ParameterizedTest
     @CsvSource({
-        "1.2e-6, 30, at -10 to 5 degrees and at -90 to -56 degrees",
-        "1.9e-6, 10, at 2 to 11 degrees and at -33 to -23 degrees"
+        "1.2e-6, 30, 0, at -10 to 5 degrees and at -90 to -56 degrees",
+        "1.2e-6, 30, 90, at 19 to 36 degrees and at -36 to -19 degrees",
+        "1.9e-6, 10, 0, at 2 to 11 degrees and at -33 to -23 degrees"
     })
-    void obliqueLightHasAscendingAnglesOnEitherSideOfItsMirrorDirection(double period, double light, String angles) {
-        assertThat(verdict(piece((x, y) -> sine(x, period)), light))
+    void obliqueLightHasAscendingAnglesOnEitherSideOfItsMirrorDirection(
+            double period, double light, double phi, String angles) {
+        Patch patch = piece((x, y) -> sine(x, period));
+        assertThat(Verdict.of(patch, GratingPeriod.of(patch), light, phi).sentence())
                 .contains("first-order colors " + angles + " under light at");
     }
 
@@ -248,7 +245,7 @@ class VerdictTest {
                     Math.hypot(Math.IEEEremainder(x - 0.3e-6, 0.6e-6), Math.IEEEremainder(y - 0.5 * height, height));
             return Math.sqrt(Math.max(0, 0.09e-12 - Math.pow(Math.min(corner, middle), 2)));
         });
-        assertThat(verdict(repeated(cell)))
+        assertThat(verdict(scan(cell, Patch.Repetition.PERIODIC)))
                 .matches(
                         "A hexagonal lattice with a constant of 0\\.(600|601|602) um, its lines 52\\d(\\.\\d+)? nm apart across"
                                 + " -30, 30 and 90 degrees: first-order colors at 50 to 90 degrees under light from above");
