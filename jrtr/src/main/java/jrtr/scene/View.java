@@ -3,6 +3,7 @@ package jrtr.scene;
 import jrtr.Tile;
 import jrtr.gl.ShaderProgram;
 import org.joml.Matrix4f;
+import org.joml.Matrix4fc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
@@ -64,13 +65,13 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
     }
 
     /**
-     * Position and orientation of a camera in world space, in meters. The vectors must not be changed.
+     * Leaf of a scene graph: position and orientation of a camera, in meters. The vectors must not be changed.
      *
      * @param centerOfProjection the eye
      * @param lookAtPoint point shown at the picture's center
      * @param up points upwards in the picture; any length above 0, not along the line of sight
      */
-    public record Camera(Vector3fc centerOfProjection, Vector3fc lookAtPoint, Vector3fc up) {
+    public record Camera(Vector3fc centerOfProjection, Vector3fc lookAtPoint, Vector3fc up) implements Node {
 
         public Camera {
             Vector3f sight = lookAtPoint.sub(centerOfProjection, new Vector3f());
@@ -81,6 +82,16 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
                         + numbers(lookAtPoint) + " with up " + numbers(up)
                         + " has no picture: eye and point must differ and up must not lie along the line of sight");
             }
+        }
+
+        /** Returns the camera as seen from another space, to which an affine matrix leads. */
+        Camera transformed(Matrix4fc matrix) {
+            return (matrix.properties() & Matrix4fc.PROPERTY_IDENTITY) != 0
+                    ? this
+                    : new Camera(
+                            matrix.transformPosition(centerOfProjection, new Vector3f()),
+                            matrix.transformPosition(lookAtPoint, new Vector3f()),
+                            matrix.transformDirection(up, new Vector3f()));
         }
 
         private static String numbers(Vector3fc vector) {

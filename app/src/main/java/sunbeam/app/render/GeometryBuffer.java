@@ -11,24 +11,21 @@ import jrtr.Tile;
 import jrtr.VertexData.BoundingSphere;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
-import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import jrtr.gl.VertexBuffer;
-import jrtr.scene.PlacedMesh;
+import jrtr.scene.RenderItem;
+import jrtr.scene.RenderPass;
 import jrtr.scene.View;
 import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
-import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
-import sunbeam.app.render.UploadedScene.SkinTextures;
 import sunbeam.app.scene.Scene.Viewpoint;
 
 /** Geometry buffer of a block: surface attributes of its pixels. */
 record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoCloseable {
-    // Distance of near and far plane from the mesh's center, in its radii; above 1, so that rounding clips nothing.
+    // Distance of near and far plane from the center of all shapes, in radii; above 1, so that rounding clips nothing.
     private static final float MARGIN = 1.02f;
 
     /** Keys are the names of the shading pass's samplers. */
@@ -151,17 +148,14 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
     /**
      * Input of the geometry pass; equal inputs draw equal attributes.
      *
-     * @param closed whether the triangles enclose a body
-     * @param rotatePatch rotation of the patch about the normal, radians
+     * @param items shapes in world space
+     * @param bounds sphere around the shapes
      * @param shadowLight direction of the light whose shadows the attributes include; empty for none
      */
     record SkinGeometry(
-            VertexBuffer mesh,
-            boolean closed,
-            SkinTextures body,
+            List<RenderItem> items,
+            BoundingSphere bounds,
             Viewpoint view,
-            Quaternionfc orientation,
-            double rotatePatch,
             Shadows shadows,
             Optional<Vector3fc> shadowLight,
             int width,
@@ -170,11 +164,6 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         private static final float NEAREST = 1e-3f;
         // Distance of both planes from the mesh's center relative to the eye's, so that float32 separates them.
         private static final float THINNEST = 1e-4f;
-
-        static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {
-            Vector3fc center = bounds.center();
-            return new Matrix4f().translation(center).rotate(orientation).translate(center.negate(new Vector3f()));
-        }
 
         static View view(Viewpoint view, BoundingSphere bounds) {
             Camera camera = view.camera();
@@ -191,7 +180,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         }
 
         private View sight() {
-            return view(view, mesh.bounds());
+            return view(view, bounds);
         }
 
         void applyRaysTo(ShaderProgram program, Tile block) {
@@ -208,21 +197,24 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
             if (program.isActive("shadowMap")) {
                 shadows.applyTo(program, shadowLight.isPresent());
             }
-            // Then the near plane, and so the eye, is in front of the mesh in any orientation.
+            // Then the near plane, and so the eye, is in front of all shapes in any orientation.
             boolean seesFromOutside = sight().near() > NEAREST * sight().far();
-            Faces faces = closed && seesFromOutside ? Faces.FRONT : Faces.BOTH;
-            View.Area area = new View.Area(width, height, block);
-            body.placed(mesh, orientation, program, rotatePatch, faces, shadows.textures())
-                    .draw(context, sight(), area, target, Tile.whole(block.width(), block.height()));
+            new RenderPass(context, program, shadows.textures(), seesFromOutside)
+                    .draw(
+                            items,
+                            sight(),
+                            new View.Area(width, height, block),
+                            target,
+                            Tile.whole(block.width(), block.height()));
         }
     }
 
-    /** Shadow maps of a mesh under its first light (shaders/include/shadow.glsl). Belongs to its context's thread. */
+    /** Shadow maps of a scene under its first light (shaders/include/shadow.glsl). Belongs to its context's thread. */
     static final class Shadows implements AutoCloseable {
         // In texels, for still pictures and for moving ones, which may draw the map for each frame.
         private static final int SIDE = 1024;
         private static final int MOVING_SIDE = 320;
-        // In radii of the mesh; the light's rays are parallel within a degree.
+        // In radii of the scene; the light's rays are parallel within a degree.
         private static final float DISTANCE = 60;
         // In texels along the normal, so that a surface does not shade itself.
         private static final float LIFT = 2;
@@ -238,7 +230,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         private final Map<Integer, Key> shown = new HashMap<>();
         private int side;
 
-        private record Key(VertexBuffer mesh, Quaternionfc orientation, Vector3fc towards) {}
+        private record Key(List<RenderItem> items, Vector3fc towards) {}
 
         Shadows(RenderContext context) {
             this.context = context;
@@ -250,10 +242,10 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         }
 
         /** Draws the map unless it is up to date; moving pictures have a coarser one. */
-        void draw(VertexBuffer mesh, boolean closed, Quaternionfc orientation, Vector3fc towards, boolean moves) {
+        void draw(List<RenderItem> items, BoundingSphere bounds, Vector3fc towards, boolean moves) {
             side = moves ? MOVING_SIDE : SIDE;
-            Key key = new Key(mesh, orientation, towards);
-            placeLight(mesh, towards);
+            Key key = new Key(items, towards);
+            placeLight(bounds, towards);
             if (key.equals(shown.get(side))) {
                 return;
             }
@@ -262,14 +254,12 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
                 program =
                         Optional.of(context.createMeshProgram(Shaders.library().load("shadow.frag")));
             }
-            Faces faces = closed ? Faces.FRONT : Faces.BOTH;
-            new PlacedMesh(mesh, SkinGeometry.toWorld(orientation, mesh.bounds()), program.get(), Map.of(), faces)
-                    .draw(context, view, View.Area.whole(side, side), map, Tile.whole(side, side));
+            new RenderPass(context, program.get(), Map.of(), true)
+                    .draw(items, view, View.Area.whole(side, side), map, Tile.whole(side, side));
             shown.put(side, key);
         }
 
-        private void placeLight(VertexBuffer mesh, Vector3fc towards) {
-            BoundingSphere bounds = mesh.bounds();
+        private void placeLight(BoundingSphere bounds, Vector3fc towards) {
             float distance = DISTANCE * bounds.radius();
             float reach = MARGIN * bounds.radius();
             Vector3f eye = new Vector3f(bounds.center()).fma(distance, towards);

@@ -11,7 +11,7 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import org.joml.Matrix4f;
+import org.joml.Matrix4fc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
@@ -131,8 +131,8 @@ final class Ground implements AutoCloseable {
     }
 
     private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, Tile block) {
-        BoundingSphere bounds = geometry.mesh().bounds();
-        Matrix4f toWorld = SkinGeometry.toWorld(scene.orientation(), bounds);
+        BoundingSphere bounds = geometry.bounds();
+        Matrix4fc toWorld = SceneGraph.modelToWorld(scene.orientation(), bounds.center());
         float reach = (float) SkyVisibility.GROUND_REACH * bounds.radius();
         Vector3fc center = bounds.center();
         geometry.applyRaysTo(to, block);

@@ -14,10 +14,10 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.Comparator;
 import java.util.stream.IntStream;
+import jrtr.VertexData.BoundingSphere;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
-import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.Mesh;
@@ -138,11 +138,11 @@ public final class LineDrawings {
 
     /** Vertices in camera space: x right, y up, z towards the viewer; moved along the normals by radii of the mesh's bounds. */
     private static float[] vertices(Scene scene, Mesh mesh, float offset) {
-        Matrix4f view = new Matrix4f(scene.view().camera().worldToCamera())
-                .mul(SkinGeometry.toWorld(
-                        scene.orientation(), mesh.toVertexData().bounds()));
+        BoundingSphere bounds = mesh.toVertexData().bounds();
+        Matrix4f view = scene.view().camera().worldToCamera();
+        view.mul(SceneGraph.modelToWorld(scene.orientation(), bounds.center()));
         float[] vertices = new float[mesh.positions().length];
-        float length = offset * mesh.toVertexData().bounds().radius();
+        float length = offset * bounds.radius();
         Vector3f place = new Vector3f();
         for (int i = 0; i < vertices.length; i += 3) {
             place.set(mesh.normals()[i], mesh.normals()[i + 1], mesh.normals()[i + 2])

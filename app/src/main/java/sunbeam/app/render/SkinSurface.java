@@ -193,10 +193,7 @@ final class SkinSurface implements AutoCloseable {
 
     /** For jrtr/lights.glsl. */
     static void setLights(ShaderProgram program, Scene scene) {
-        List<Light> lights = scene.lights().stream()
-                .map(light -> new Light(light.towards(), new Vector3f((float) light.intensity())))
-                .toList();
-        Light.apply(lights, program);
+        Light.apply(SceneGraph.of(scene, new Vector3f(), List.of()).lights(), program);
     }
 
     /** For jrtr/lights.glsl, include/blend.glsl and include/sky.glsl. */

@@ -1,23 +1,25 @@
 package sunbeam.app.render;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import jrtr.Tile;
+import jrtr.VertexData.BoundingSphere;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.ImageTexture;
 import jrtr.gl.ImageTexture.Encoding;
 import jrtr.gl.RenderContext;
-import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
-import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.PlacedMesh;
+import jrtr.scene.GraphSceneManager;
+import jrtr.scene.Material;
+import jrtr.scene.RenderPass;
+import jrtr.scene.Shape;
 import jrtr.scene.View;
-import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
@@ -25,6 +27,7 @@ import sunbeam.app.render.GeometryBuffer.Shadows;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.SkyVisibility;
@@ -65,16 +68,24 @@ final class UploadedScene implements AutoCloseable {
 
     /** Geometry of a scene with the uploaded meshes; draws its shadow map first, if it has shadows. */
     SkinGeometry geometry(Scene scene, int width, int height, boolean moves) {
-        VertexBuffer buffer = mesh.buffer();
-        boolean closed = mesh.mesh().closed();
-        double rotation = scene.get(SceneSettings.ROTATE_PATCH);
+        GraphSceneManager graph = graph(scene);
+        BoundingSphere bounds = graph.bounds().orElseThrow();
         Optional<Vector3fc> light =
                 scene.hasShadows() ? Optional.of(scene.light().towards()) : Optional.empty();
-        light.ifPresent(towards -> shadows.draw(buffer, closed, scene.orientation(), towards, moves));
+        light.ifPresent(towards -> shadows.draw(graph.items(), bounds, towards, moves));
         // The shading pass of moving pictures reads shadows, so that a moving light leaves the geometry valid.
         Optional<Vector3fc> shadowLight = moves ? Optional.empty() : light;
-        return new SkinGeometry(
-                buffer, closed, body, scene.view(), scene.orientation(), rotation, shadows, shadowLight, width, height);
+        return new SkinGeometry(graph.items(), bounds, viewpoint(scene, graph), shadows, shadowLight, width, height);
+    }
+
+    private GraphSceneManager graph(Scene scene) {
+        Shape shape = new Shape(
+                mesh.buffer(), mesh.mesh().closed(), body.material().turned(scene.get(SceneSettings.ROTATE_PATCH)));
+        return SceneGraph.of(scene, mesh.buffer().bounds().center(), List.of(shape));
+    }
+
+    private static Viewpoint viewpoint(Scene scene, GraphSceneManager graph) {
+        return new Viewpoint(graph.camera().orElseThrow(), scene.view().verticalFieldOfView());
     }
 
     /** Uploads a scene without its diffraction, for moving pictures of the body. */
@@ -172,31 +183,18 @@ final class UploadedScene implements AutoCloseable {
                     context.createImageTexture(label, texture.width(), texture.height(), texture.rgba(), encoding));
         }
 
-        /** Returns a mesh with these textures in world space, and sets the program's uniforms about them. */
-        PlacedMesh placed(
-                VertexBuffer mesh,
-                Quaternionfc orientation,
-                ShaderProgram program,
-                double rotatePatch,
-                Faces faces,
-                Map<String, Texture> furtherTextures) {
-            PlacedMesh.turnTangents(program, rotatePatch);
+        Material material() {
             boolean hasScales = body.scales() != Scales.NONE;
             double scalesPerUnit =
                     hasScales ? SnakeBody.scalesPerUnit(body.scales().rows()) : 0;
-            program.set("reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG));
-            program.set("reliefBegin", (float) (hasScales ? ScaleRelief.BEGIN : 0));
-            program.set("reliefSteepest", (float) (hasScales ? ScaleRelief.STEEPEST : 0));
-            if (program.isActive("reliefLightest")) {
-                program.set("reliefLightest", (float) ScaleRelief.LIGHTEST);
-            }
-            if (program.isActive("patchColor")) {
-                program.set("patchColor", (float) body.patchColor());
-            }
-            Map<String, Texture> textures = new HashMap<>(uploaded);
-            textures.putAll(furtherTextures);
-            textures.keySet().removeIf(name -> !program.isActive(name));
-            return new PlacedMesh(mesh, SkinGeometry.toWorld(orientation, mesh.bounds()), program, textures, faces);
+            return new Material(
+                    Map.copyOf(uploaded),
+                    Map.of(
+                            "reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG),
+                            "reliefBegin", (float) (hasScales ? ScaleRelief.BEGIN : 0),
+                            "reliefSteepest", (float) (hasScales ? ScaleRelief.STEEPEST : 0),
+                            "reliefLightest", (float) ScaleRelief.LIGHTEST,
+                            "patchColor", (float) body.patchColor()));
         }
 
         @Override
@@ -216,12 +214,12 @@ final class UploadedScene implements AutoCloseable {
         }
 
         Optional<Pick> pick(UploadedScene uploaded, Scene scene, View.Area pixel) {
-            VertexBuffer mesh = uploaded.mesh.buffer();
-            double rotation = scene.get(SceneSettings.ROTATE_PATCH);
-            PlacedMesh placed =
-                    uploaded.body.placed(mesh, scene.orientation(), program, rotation, Faces.BOTH, Map.of());
+            GraphSceneManager graph = uploaded.graph(scene);
+            BoundingSphere bounds = graph.bounds().orElseThrow();
             SkinSurface.setLights(program, scene);
-            placed.draw(context, SkinGeometry.view(scene.view(), mesh.bounds()), pixel, target, Tile.whole(1, 1));
+            View view = SkinGeometry.view(viewpoint(scene, graph), bounds);
+            new RenderPass(context, program, Map.of(), false)
+                    .draw(graph.items(), view, pixel, target, Tile.whole(1, 1));
             float[] point = target.read(0);
             if (point[3] == 0) {
                 return Optional.empty();
@@ -231,7 +229,7 @@ final class UploadedScene implements AutoCloseable {
             return Optional.of(new Pick(
                     new Vector3f(point),
                     scene.patches().region((int) point[3] - 1),
-                    mesh.bounds().center(),
+                    bounds.center(),
                     new Vector3f(target.read(1)),
                     new Vector3f(target.read(2)),
                     new Vector3f(target.read(3)),
