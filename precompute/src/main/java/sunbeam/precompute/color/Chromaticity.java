@@ -39,14 +39,26 @@ public record Chromaticity(double x, double y) {
             return new Hue(spectral[0], Math.min(1, 1 / spectral[1]));
         }
         double[] complement = white.crossing(cie, -dx, -dy);
-        double reach = white.reach(dx, dy, ofWavelength(cie, BLUE_END * 1e-9), ofWavelength(cie, RED_END * 1e-9))[0];
+        double reach =
+                white.reach(dx, dy, ofWavelength(cie, firstLit(cie) * 1e-9), ofWavelength(cie, lastLit(cie) * 1e-9))[0];
         return new Hue(-complement[0], Math.min(1, 1 / reach));
+    }
+
+    /** Returns the blue end of the locus in nm, or of the light's wavelengths, without which a table has no chromaticity. */
+    private static int firstLit(CieTable cie) {
+        return Math.max(BLUE_END, (int) Math.rint(1e9 * cie.shortestWavelength()) + 1);
+    }
+
+    private static int lastLit(CieTable cie) {
+        return Math.min(RED_END, (int) Math.rint(1e9 * cie.longestWavelength()) - 1);
     }
 
     /** Returns the wavelength in nm and the multiple of (dx, dy) that reaches it from this white; NaN if there is none. */
     private double[] crossing(CieTable cie, double dx, double dy) {
-        Chromaticity from = ofWavelength(cie, BLUE_END * 1e-9);
-        for (int nanometer = BLUE_END; nanometer < RED_END; nanometer++) {
+        int first = firstLit(cie);
+        int last = lastLit(cie);
+        Chromaticity from = ofWavelength(cie, first * 1e-9);
+        for (int nanometer = first; nanometer < last; nanometer++) {
             Chromaticity to = ofWavelength(cie, (nanometer + 1) * 1e-9);
             double[] found = reach(dx, dy, from, to);
             if (found[0] > 0 && found[1] >= 0 && found[1] <= 1) {

@@ -43,7 +43,7 @@ public record Surface(HeightLevels levels, String name, String digest, CieTable 
             throw new SettingException(
                     Methods.METHOD,
                     "is for light as smooth as daylight, and this one (" + cie.description()
-                            + ") has lines; take full or table");
+                            + ") has lines or narrow peaks; take full or table");
         }
     }
 

@@ -37,7 +37,7 @@ class IlluminantTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"D65, true", "D50, true", "A, true", "E, true", "F11, false"})
+    @CsvSource({"D65, true", "D50, true", "A, true", "E, true", "LED-B3, true", "F11, false"})
     void daylightAndBulbsAreSmoothUnlikeFluorescentLampsAndLasers(String name, boolean smooth) {
         Illuminant light = Illuminant.of(name);
         assertThat(light.isSmooth()).isEqualTo(smooth);
@@ -123,6 +123,14 @@ class IlluminantTest {
     @Test
     void purplesHaveTheComplement() {
         Chromaticity.Hue hue = new Chromaticity(0.35, 0.2).hue(CIE);
+        assertThat(hue.nanometers()).as("green, negative").isBetween(-570.0, -495.0);
+        assertThat(hue.purity()).isBetween(0.3, 1.0);
+    }
+
+    /** Under a light that has no power at the violet end of the band. */
+    @Test
+    void purplesUnderLedsHaveAPurity() {
+        Chromaticity.Hue hue = new Chromaticity(0.35, 0.2).hue(CieTable.of(Observer.CIE1931, Illuminant.of("LED-B3")));
         assertThat(hue.nanometers()).as("green, negative").isBetween(-570.0, -495.0);
         assertThat(hue.purity()).isBetween(0.3, 1.0);
     }

@@ -11,26 +11,21 @@ import de.siegmar.fastcsv.reader.CsvRecord;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.NavigableMap;
-import java.util.NavigableSet;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Reader of the color matching functions times the light. An illuminant's file has columns of nanometers and power, which is linear between
- * rows; rows closer than a nanometer are averaged with a triangle of 1 nm full width at half maximum, so that no spectral line is lost.
+ * Reader of the color matching functions times the light. An illuminant's file has columns of nanometers and power, as
+ * {@link Illuminant#ofRows} takes them.
  */
 public final class LightTable {
     private static final long LARGEST_BYTES = 1 << 20;
@@ -75,57 +70,23 @@ public final class LightTable {
                                     + Decimals.format(powers.lastKey()) + " nm")
                     + ", and 380 to 780 nm are needed, in nanometers, 0 where there is no light");
         }
-        double[] power = new double[Illuminant.LAST + 1];
-        Arrays.setAll(power, i -> at(powers, FIRST_NANOMETERS + i));
+        requireCloseRows(
+                powers.subMap(powers.floorKey(FIRST_NANOMETERS), true, powers.ceilingKey(LAST_NANOMETERS), true));
         try {
-            return new Illuminant(name, power);
+            return Illuminant.ofRows(name, powers);
         } catch (IllegalArgumentException wrong) {
             throw new InputException(wrong.getMessage());
         }
     }
 
-    private static double at(NavigableMap<Double, Double> powers, double nanometers) {
-        Map.Entry<Double, Double> below = powers.floorEntry(nanometers);
-        Map.Entry<Double, Double> above = powers.ceilingEntry(nanometers);
-        if (above.getKey() - below.getKey() > LARGEST_GAP_NANOMETERS) {
-            throw new InputException("between " + Decimals.format(below.getKey()) + " and "
-                    + Decimals.format(above.getKey()) + " nm it has no row; give one every 20 nm at least");
-        }
-        double from = Math.max(nanometers - 1, powers.firstKey());
-        double to = Math.min(nanometers + 1, powers.lastKey());
-        return hasCloseRows(powers, from, to)
-                ? mean(powers, nanometers, from, to)
-                : Lagrange.between(powers, nanometers);
-    }
-
-    private static boolean hasCloseRows(NavigableMap<Double, Double> powers, double from, double to) {
-        Double row = powers.floorKey(from);
-        for (Double next :
-                powers.subMap(row, false, powers.ceilingKey(to), true).keySet()) {
-            if (next - row < 1) {
-                return true;
-            }
-            row = next;
-        }
-        return false;
-    }
-
-    /** Simpson's rule is exact for products of two linear functions. */
-    private static double mean(NavigableMap<Double, Double> powers, double middle, double from, double to) {
-        NavigableSet<Double> ends =
-                new TreeSet<>(powers.subMap(from, true, to, true).keySet());
-        ends.addAll(List.of(from, middle, to));
-        double sum = 0;
-        double weight = 0;
-        for (double end : ends.tailSet(from, false)) {
-            double start = ends.lower(end);
-            for (double at : List.of(start, 0.5 * (start + end), end)) {
-                double share = (end - start) * (1 - Math.abs(at - middle)) * (at == start || at == end ? 1 : 4);
-                sum += share * Lagrange.between(powers, at);
-                weight += share;
+    private static void requireCloseRows(NavigableMap<Double, Double> powers) {
+        for (double row : powers.tailMap(powers.firstKey(), false).keySet()) {
+            double before = powers.lowerKey(row);
+            if (row - before > LARGEST_GAP_NANOMETERS) {
+                throw new InputException("between " + Decimals.format(before) + " and " + Decimals.format(row)
+                        + " nm it has no row; give one every 20 nm at least");
             }
         }
-        return sum / weight;
     }
 
     private static NavigableMap<Double, Double> powers(String text) throws IOException {

@@ -10,6 +10,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -171,6 +172,25 @@ final class DirectionListTest {
 
         // Both are split between 546 and 547 nm; rounding of the sums.
         assertThat(table(text).white()).containsExactly(line, within(1e-9));
+    }
+
+    @Test
+    void aLedInStepsOfFiveNanometersIsSmoothAndALaserIsNot() throws IOException {
+        String led = rows(
+                5,
+                at -> Math.exp(-0.5 * Math.pow((at - 452) / 10, 2))
+                        + 0.5 * Math.exp(-0.5 * Math.pow((at - 575) / 58, 2)));
+        String laser = rows(5, at -> at == 530 ? 1 : 0);
+
+        assertThat(table(led).isSmooth()).isTrue();
+        assertThat(table(laser).isSmooth()).isFalse();
+    }
+
+    private static String rows(int step, DoubleUnaryOperator power) {
+        return IntStream.rangeClosed(0, 400 / step)
+                .map(i -> 380 + i * step)
+                .mapToObj(at -> at + "," + power.applyAsDouble(at) + "\n")
+                .collect(Collectors.joining());
     }
 
     @Test
