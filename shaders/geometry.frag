@@ -1,9 +1,7 @@
 #version 330 core
-#define SHADOW_TAPS 16
 #include "include/relief.glsl"
 #include "include/patch_map.glsl"
 #include "include/patch_state.glsl"
-#include "include/shadow.glsl"
 
 // Geometry pass: surface attributes of each pixel, independent of the light. The costly shading pass (skin.frag) then runs once per pixel
 // instead of once per triangle and 2 x 2 block. If only light or blend weights change, only the shading pass runs again.
@@ -16,7 +14,7 @@ layout(location = 0) out vec4 view;
 layout(location = 1) out vec4 normal;
 // Unit vector along the patch's x axis, world space; w is the visible share of the sky.
 layout(location = 2) out vec4 tangent;
-// Color of the body, linear sRGB; alpha is the visibility of the first light.
+// Color of the body, linear sRGB.
 layout(location = 3) out vec4 albedo;
 
 // worldTangent.w: its sign is the tangent frame's handedness, its magnitude the visible share of the sky.
@@ -26,5 +24,5 @@ void main() {
     view = vec4(viewDirection(frame), patchColorHere() == patchColor ? THIS_PATCH : OTHER_PATCH);
     normal = vec4(frame[2], frameHandedness());
     tangent = vec4(frame[0], min(abs(worldTangent.w), 1.0));
-    albedo = vec4(skinAlbedo(relief, texture(bodyTexture, surfaceCoordinate).rgb), visibility(worldPosition, normalize(worldNormal)));
+    albedo = vec4(skinAlbedo(relief, texture(bodyTexture, surfaceCoordinate).rgb), 1.0);
 }

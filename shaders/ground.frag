@@ -4,7 +4,6 @@
 #else
 #define SHADOW_TAPS 16
 #endif
-#include "jrtr/lights.glsl"
 #include "jrtr/view_rays.glsl"
 #include "include/blend.glsl"
 #include "include/shadow.glsl"
@@ -29,6 +28,9 @@ uniform vec3 groundNormal;
 uniform float viewPixels;
 // Linear sRGB.
 uniform vec3 groundColor;
+// Radiance of all lights, and of the white ground under each group of lights without shadows, linear Rec. 709.
+uniform vec3 groundAmbient;
+uniform vec3 groundLights[MOST_GROUPS];
 // Share of the sky that the mesh leaves visible, over the square of groundAcross and groundAlong.
 uniform sampler2D groundSky;
 #if SCREEN == 1
@@ -53,19 +55,12 @@ float noise(vec2 at) {
     return mix(mix(values.x, values.y, t.x), mix(values.z, values.w, t.x), t.y);
 }
 
-vec2 groundLight(int number, float visible) {
-    return lightRadiances[number].y * vec2(1.0, visible * max(dot(lightDirections[number], groundNormal), 0.0));
-}
 
 vec4 ground() {
     vec3 towards = viewAt(viewPixels * gl_FragCoord.xy);
     float height = dot(eye - groundMiddle, groundNormal);
     float slant = dot(towards, groundNormal);
-    float radiance = 0.0;
-    for (int number = 0; number < lightCount; ++number) {
-        radiance += lightRadiances[number].y;
-    }
-    vec3 horizon = skyWeight * radiance * HORIZON;
+    vec3 horizon = skyWeight * (LINEAR_SRGB_TO_XYZ * groundAmbient).y * HORIZON;
     if (height <= 0.0 || slant <= 1e-4) {
         float glow = height > 0.0 && skyWeight > 0.0 ? exp(GLOW * min(slant, 0.0)) : 0.0;
         return glow * vec4(horizon, 1.0);
@@ -77,14 +72,13 @@ vec4 ground() {
     float sky = textureLod(groundSky, 0.5 * place + 0.5, 0.0).r;
     float beyond = max(dot(place, place) - 0.1, 0.0);
     float fade = 1.0 / (1.0 + 1.6 * beyond * beyond + 0.7 * beyond);
-    // x: ambient light, y: Lambert's reflection. Only the first light casts shadows.
-    vec2 light = groundLight(0, visibility(at, groundNormal));
-    for (int number = 1; number < lightCount; ++number) {
-        light += groundLight(number, 1.0);
+    vec3 direct = vec3(0.0);
+    for (int group = 0; group < lightGroups; ++group) {
+        direct += visibility(group, at, groundNormal, gl_FragCoord.xy) * groundLights[group];
     }
     float grain = 1.0 + 0.06 * noise(9.0 * place) + 0.05 * noise(41.0 * place) + 0.05 * noise(170.0 * place);
-    float lit = grain * (ambientWeight * sky * light.x + diffuseWeight * (0.4 + 0.6 * sky) * light.y);
-    return vec4(mix(horizon, lit * (LINEAR_SRGB_TO_XYZ * groundColor), fade), 1.0);
+    vec3 lit = grain * (ambientWeight * sky * groundAmbient + diffuseWeight * (0.4 + 0.6 * sky) * direct);
+    return vec4(mix(horizon, LINEAR_SRGB_TO_XYZ * (lit * groundColor), fade), 1.0);
 }
 
 void main() {

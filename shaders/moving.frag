@@ -75,7 +75,7 @@ void main() {
         // Only the first light casts shadows.
         float visible = 1.0;
         if (light == 0 && wi.z > 0.0) {
-            visible = visibility(worldAt(gl_FragCoord.xy), skin.frame[2]);
+            visible = visibility(0, worldAt(gl_FragCoord.xy), skin.frame[2], gl_FragCoord.xy);
         }
         sum += lightRadiances[light].y
                 * (blended(visible * diffracted, albedo, visible * wi.z, NORMAL_REFLECTANCE, ambient) + gloss);

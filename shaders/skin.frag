@@ -1,18 +1,23 @@
 #version 330 core
-#include "jrtr/lights.glsl"
+#define SHADOW_TAPS 16
 #include "include/blend.glsl"
 #include "include/gain.glsl"
 #include "include/geometry.glsl"
 #include "include/loops.glsl"
 #include "include/neighbors.glsl"
+#include "include/shadow.glsl"
 #include "include/sky.glsl"
 #include "method/{METHOD}.glsl"
 
-// Shading pass: radiance of a skin under one light (diffracted light, body color and reflected sky) from geometry.frag's images.
+// Shading pass: radiance of a skin under a picture's lights (diffracted light, body color and reflected sky) from geometry.frag's images.
 // COLOR_LEVELS: 1 for method table_levels, whose colors are means over footprints; 0 for methods that evaluate points.
 
-// Variance of the light's directions, along either axis across its direction.
-uniform float lightVariance;
+// Lights that are drawn: those from the first to the one before the last. Methods that evaluate points draw one light at a time.
+uniform int firstLight;
+uniform int lastLight;
+// Depth of geometry.frag's images, and the matrix from a position in them, in pixels, and its depth to world space.
+uniform sampler2D depths;
+uniform mat4 targetToWorld;
 
 // For each fragment the index of the texel of geometry.frag's images that it shades, counted row by row; negative for none.
 uniform sampler2D sources;
@@ -41,11 +46,9 @@ layout(location = 0) out vec4 radiance;
 layout(location = 1) out vec4 footprintCenter;
 layout(location = 2) out vec4 footprintAxis;
 
-// XYZ of the power of the pixel's footprint; MISSING where a tile is not resident.
-vec3 pixelXyz(vec3 wi, vec3 wr, ivec2 pixel) {
+// XYZ of the power of the pixel's footprint; MISSING where a tile is not resident. du, dv: as footprintOf of include/footprint.glsl.
+vec3 pixelXyz(vec3 wi, vec3 wr, vec3 du, vec3 dv, float lightVariance) {
     vec3 uvw = diffractionVector(wi, wr);
-    vec3 du = footprintScale * uvwChange(pixel, ivec2(1, 0), uvw);
-    vec3 dv = footprintScale * uvwChange(pixel, ivec2(0, 1), uvw);
     Footprint footprint = footprintOf(uvw, du, dv, wi, lightVariance, nextLevel);
     footprintCenter = vec4(footprint.center, footprint.level);
     footprintAxis = vec4(footprint.axis, footprint.taps);
@@ -86,7 +89,7 @@ vec2 normalNumbers(ivec2 pixel, uvec2 steps) {
 }
 
 // A direction of the light, whose middle is wi, for this draw of a pixel.
-vec3 lightSample(vec3 wi, ivec2 pixel) {
+vec3 lightSample(vec3 wi, ivec2 pixel, float lightVariance) {
     // Fractions of the square roots of 2 and 3: independent of the steps for slopes.
     vec2 numbers = sqrt(lightVariance) * normalNumbers(pixel, uvec2(1779033703u, 3144134277u));
     vec3 across = normalize(cross(wi, abs(wi.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
@@ -106,6 +109,11 @@ bool isDiffracted(vec3 wi, vec3 wr) {
     return diffractionWeight != 0.0 && wi.z > 0.0 && wr.z > 0.0;
 }
 
+vec3 worldAt(ivec2 pixel) {
+    vec4 at = targetToWorld * vec4(vec2(pixel) + 0.5, texelFetch(depths, pixel, 0).r, 1.0);
+    return at.xyz / at.w;
+}
+
 void main() {
     // Pixels without a source shade pixel 0 and are never read back. No discard: on Mesa's software renderer it would leave loops a
     // sixteenth of their steps (include/loops.glsl).
@@ -115,38 +123,56 @@ void main() {
     vec4 view = texelFetch(views, pixel, 0);
     vec3 wr = view.xyz;
     bool hasPatch = view.w == THIS_PATCH;
-    vec4 normal = texelFetch(normals, pixel, 0);
+    vec3 world = worldAt(pixel);
     vec4 seen = texelFetch(tangents, pixel, 0);
-    vec3 tangent = seen.xyz;
-    mat3 frame = mat3(tangent, normal.w * cross(normal.xyz, tangent), normal.xyz);
-    vec4 lit = texelFetch(albedos, pixel, 0);
-    vec3 albedo = LINEAR_SRGB_TO_XYZ * lit.rgb;
-    float ambient = skyShare(normal.xyz, seen.w);
-    vec3 wi = lightDirection(frame, 0);
-    vec3 diffracted = vec3(0.0);
+    mat3 frame = frameAt(pixel);
+    vec3 albedo = LINEAR_SRGB_TO_XYZ * texelFetch(albedos, pixel, 0).rgb;
+    float ambient = skyShare(frame[2], seen.w);
+    vec3 gloss = glossXyz(frame, wr, seen.w);
     float weight = 1.0;
     float coverage = 1.0;
 #if COLOR_LEVELS == 1
     footprintCenter = vec4(0.0, 0.0, 0.0, -1.0);
     footprintAxis = vec4(0.0);
-    if (hasPatch && isDiffracted(wi, wr)) {
-        vec3 xyz = pixelXyz(wi, wr, pixel);
-        coverage = xyz.y == MISSING ? MISSING_COVERAGE : 1.0;
-        diffracted = xyz.y == MISSING ? vec3(0.0) : relativeRadiance(wi, wr) * xyz;
-    }
+    PixelChange right = changeTo(pixel, ivec2(1, 0), frame, wr);
+    PixelChange left = changeTo(pixel, ivec2(-1, 0), frame, wr);
+    PixelChange above = changeTo(pixel, ivec2(0, 1), frame, wr);
+    PixelChange below = changeTo(pixel, ivec2(0, -1), frame, wr);
 #else
     // Roberts's sequence (2018).
     vec2 numbers = normalNumbers(pixel, uvec2(3242174889u, 2447445414u));
     weight = slopeDeviation > 0.0 ? exp(-0.5 * (WIDER * WIDER - 1.0) * dot(numbers, numbers)) : 1.0;
     mat3 relief = reliefFrame(WIDER * slopeDeviation * numbers);
-    vec3 towards = lightVariance > 0.0 ? lightSample(wi, pixel) : wi;
-    if (hasPatch && isDiffracted(towards * relief, wr * relief)) {
-        diffracted = pointRadiance(towards * relief, wr * relief);
-    }
 #endif
-    // The body is lit by the light's luminance, as if by daylight; only diffracted light has the light's spectrum.
-    float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
-    vec3 sum = blended(lit.a * diffracted, albedo, lit.a * wi.z, reflectance, ambient) + glossXyz(frame, wr, seen.w);
-    sum *= lightRadiances[0].y;
-    radiance = weight * vec4(sum, coverage);
+    // Linear Rec. 709. The body is lit by the lights' colors, as if by daylight; only diffracted light has the illuminant's spectrum.
+    vec3 sum = vec3(0.0);
+    for (int group = 0; group < lightGroups; ++group) {
+        vec4 lights = lightTexel(group, GROUP_LIGHTS);
+        int end = min(int(lights.y), lastLight);
+        float visible = visibility(group, world, frame[2], vec2(pixel) + 0.5);
+        for (int light = max(int(lights.x), firstLight); light < end; ++light) {
+            vec4 towards = lightTexel(light, LIGHT_TOWARDS);
+            vec3 wi = towards.xyz * frame;
+            vec3 diffracted = vec3(0.0);
+#if COLOR_LEVELS == 1
+            // A loop of one iteration, as in footprintXyz.
+            for (bool lit = hasPatch && isDiffracted(wi, wr); lit; lit = false) {
+                vec3 du = footprintScale * uvwChange(right, left, towards.xyz);
+                vec3 dv = footprintScale * uvwChange(above, below, towards.xyz);
+                vec3 xyz = pixelXyz(wi, wr, du, dv, towards.w);
+                coverage = xyz.y == MISSING ? MISSING_COVERAGE : coverage;
+                diffracted = xyz.y == MISSING ? vec3(0.0) : relativeRadiance(wi, wr) * xyz;
+            }
+#else
+            vec3 from = towards.w > 0.0 ? lightSample(wi, pixel, towards.w) : wi;
+            if (hasPatch && isDiffracted(from * relief, wr * relief)) {
+                diffracted = pointRadiance(from * relief, wr * relief);
+            }
+#endif
+            float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
+            vec3 xyz = blended(visible * diffracted, albedo, visible * wi.z, reflectance, ambient) + gloss;
+            sum += lightTexel(light, LIGHT_COLOR).rgb * (XYZ_TO_LINEAR_SRGB * xyz);
+        }
+    }
+    radiance = weight * vec4(LINEAR_SRGB_TO_XYZ * sum, coverage);
 }

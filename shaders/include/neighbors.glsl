@@ -1,4 +1,4 @@
-// Differences of (u, v, w) between neighboring pixels of geometry.frag's images, under the first light.
+// Differences of (u, v, w) between neighboring pixels of geometry.frag's images, under any light.
 
 bool isSkin(ivec2 pixel, ivec2 size) {
     return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, size)) && texelFetch(views, pixel, 0).w != NO_SKIN;
@@ -10,25 +10,31 @@ mat3 frameAt(ivec2 pixel) {
     return mat3(tangent, normal.w * cross(normal.xyz, tangent), normal.xyz);
 }
 
-vec3 uvwAt(ivec2 pixel) {
-    return diffractionVector(lightDirection(frameAt(pixel), 0), texelFetch(views, pixel, 0).xyz);
+// Change of the tangent frame and of the direction to the viewer, in the frame, from one pixel to another; all zero if one shows no skin.
+struct PixelChange {
+    mat3 frame;
+    vec3 view;
+    float isKnown;
+};
+
+// Change from a pixel, whose frame and direction to the viewer are given, to the one at step.
+PixelChange changeTo(ivec2 pixel, ivec2 step, mat3 frame, vec3 wr) {
+    bool known = isSkin(pixel + step, textureSize(views, 0));
+    ivec2 other = known ? pixel + step : pixel;
+    float share = known ? 1.0 : 0.0;
+    return PixelChange(share * (frameAt(other) - frame), share * (texelFetch(views, other, 0).xyz - wr), share);
 }
 
-// Change of (u, v, w) per pixel along step: the mean of the differences on both sides, or the smaller one if the larger has more than three
-// times its length, as across an edge of the skin.
-vec3 uvwChange(ivec2 pixel, ivec2 step, vec3 uvw) {
-    ivec2 size = textureSize(views, 0);
-    bool hasNext = isSkin(pixel + step, size);
-    bool hasLast = isSkin(pixel - step, size);
-    vec3 next = hasNext ? uvwAt(pixel + step) - uvw : vec3(0.0);
-    vec3 last = hasLast ? uvw - uvwAt(pixel - step) : vec3(0.0);
-    if (!hasNext || !hasLast) {
-        return next + last;
-    }
+// Change of (u, v, w) per pixel under a light, in world space: the mean of the differences on both sides, or the smaller one if the larger
+// has more than three times its length, as across an edge of the skin. before: the change to the pixel on the other side.
+vec3 uvwChange(PixelChange after, PixelChange before, vec3 towards) {
+    vec3 next = -(towards * after.frame + after.view);
+    vec3 last = towards * before.frame + before.view;
     float nextLength = dot(next, next);
     float lastLength = dot(last, last);
-    if (nextLength > 9.0 * lastLength) {
-        return last;
-    }
-    return lastLength > 9.0 * nextLength ? next : 0.5 * (next + last);
+    bool hasBoth = after.isKnown * before.isKnown > 0.0;
+    bool takesLast = hasBoth && nextLength > 9.0 * lastLength;
+    bool takesNext = hasBoth && lastLength > 9.0 * nextLength;
+    vec3 both = (hasBoth ? 0.5 : 1.0) * (next + last);
+    return takesLast ? last : takesNext ? next : both;
 }

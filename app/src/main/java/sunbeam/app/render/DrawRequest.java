@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
 import jrtr.Tile;
 import sunbeam.app.scene.Scene;
 
@@ -18,6 +20,7 @@ import sunbeam.app.scene.Scene;
  * @param down the same for rows; if fewer than {@code across}, rows differ in the columns that are drawn
  * @param isCoarsest whether method {@code table} looks colors up in its coarsest level alone
  * @param chosen the tile's pixels that are drawn, row by row; empty for all
+ * @param light index of the only light that is drawn; empty for all
  */
 public record DrawRequest(
         Scene scene,
@@ -28,7 +31,8 @@ public record DrawRequest(
         int across,
         int down,
         boolean isCoarsest,
-        Optional<BitSet> chosen) {
+        Optional<BitSet> chosen,
+        OptionalInt light) {
     /** Returns a request for all samples of a tile of pixels. */
     public static DrawRequest ofPixels(Scene scene, int width, int height, Tile tile, int samples) {
         return first(scene, width, height, tile, PixelSamples.uniform(samples));
@@ -38,24 +42,43 @@ public record DrawRequest(
         int side = samples.side();
         Tile inSamples = new Tile(side * tile.x(), side * tile.y(), side * tile.width(), side * tile.height());
         int across = side / samples.firstAcross();
-        return new DrawRequest(scene, side * width, side * height, inSamples, side, across, 1, false, Optional.empty());
+        return new DrawRequest(
+                scene,
+                side * width,
+                side * height,
+                inSamples,
+                side,
+                across,
+                1,
+                false,
+                Optional.empty(),
+                OptionalInt.empty());
     }
 
     /** Returns one request per light; this request's picture is the sum of theirs. */
     List<DrawRequest> perLight() {
-        return scene.perLight().stream().map(this::with).toList();
+        return IntStream.range(0, lights().count())
+                .mapToObj(i -> new DrawRequest(
+                        scene, width, height, tile, samples, across, down, isCoarsest, chosen, OptionalInt.of(i)))
+                .toList();
+    }
+
+    LightList lights() {
+        LightList all = LightList.of(scene);
+        return light.isPresent() ? all.only(light.getAsInt()) : all;
     }
 
     DrawRequest with(Scene other) {
-        return new DrawRequest(other, width, height, tile, samples, across, down, isCoarsest, chosen);
+        return new DrawRequest(other, width, height, tile, samples, across, down, isCoarsest, chosen, light);
     }
 
     DrawRequest coarsest() {
-        return new DrawRequest(scene, width, height, tile, samples, across, down, true, chosen);
+        return new DrawRequest(scene, width, height, tile, samples, across, down, true, chosen, light);
     }
 
     DrawRequest only(BitSet pixels) {
-        return new DrawRequest(scene, width, height, tile, samples, across, down, isCoarsest, Optional.of(pixels));
+        return new DrawRequest(
+                scene, width, height, tile, samples, across, down, isCoarsest, Optional.of(pixels), light);
     }
 
     SceneBlocks blocks() {

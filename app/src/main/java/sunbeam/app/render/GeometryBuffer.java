@@ -5,7 +5,6 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import jrtr.Tile;
 import jrtr.VertexData.BoundingSphere;
@@ -19,7 +18,6 @@ import jrtr.scene.View;
 import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
-import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.scene.Scene.Viewpoint;
 
@@ -150,16 +148,8 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
      *
      * @param items shapes in world space
      * @param bounds sphere around the shapes
-     * @param shadowLight direction of the light whose shadows the attributes include; empty for none
      */
-    record SkinGeometry(
-            List<RenderItem> items,
-            BoundingSphere bounds,
-            Viewpoint view,
-            Shadows shadows,
-            Optional<Vector3fc> shadowLight,
-            int width,
-            int height) {
+    record SkinGeometry(List<RenderItem> items, BoundingSphere bounds, Viewpoint view, int width, int height) {
         // Near plane to far plane, for an eye inside the mesh's sphere; suits a 32-bit depth buffer.
         private static final float NEAREST = 1e-3f;
         // Distance of both planes from the mesh's center relative to the eye's, so that float32 separates them.
@@ -194,97 +184,15 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         }
 
         void draw(RenderContext context, ShaderProgram program, FloatTarget target, Tile block) {
-            if (program.isActive("shadowMap")) {
-                shadows.applyTo(program, shadowLight.isPresent());
-            }
             // Then the near plane, and so the eye, is in front of all shapes in any orientation.
             boolean seesFromOutside = sight().near() > NEAREST * sight().far();
-            new RenderPass(context, program, shadows.textures(), seesFromOutside)
+            new RenderPass(context, program, Map.of(), seesFromOutside)
                     .draw(
                             items,
                             sight(),
                             new View.Area(width, height, block),
                             target,
                             Tile.whole(block.width(), block.height()));
-        }
-    }
-
-    /** Shadow maps of a scene under its first light (shaders/include/shadow.glsl). Belongs to its context's thread. */
-    static final class Shadows implements AutoCloseable {
-        // In texels, for still pictures and for moving ones, which may draw the map for each frame.
-        private static final int SIDE = 1024;
-        private static final int MOVING_SIDE = 320;
-        // In radii of the scene; the light's rays are parallel within a degree.
-        private static final float DISTANCE = 60;
-        // In texels along the normal, so that a surface does not shade itself.
-        private static final float LIFT = 2;
-
-        private final RenderContext context;
-        private final Matrix4f worldToShadow = new Matrix4f();
-        private View view;
-        private float lift;
-        private final FloatTarget noShadows;
-        private final Map<Integer, FloatTarget> maps = new HashMap<>();
-        private Optional<ShaderProgram> program = Optional.empty();
-        // Keys are sides of the map.
-        private final Map<Integer, Key> shown = new HashMap<>();
-        private int side;
-
-        private record Key(List<RenderItem> items, Vector3fc towards) {}
-
-        Shadows(RenderContext context) {
-            this.context = context;
-            this.noShadows = context.createFloatTarget("no shadows", spec(1));
-        }
-
-        private static FloatTarget.Spec spec(int side) {
-            return new FloatTarget.Spec(side, side, 1, true, FloatTarget.Format.RGBA8);
-        }
-
-        /** Draws the map unless it is up to date; moving pictures have a coarser one. */
-        void draw(List<RenderItem> items, BoundingSphere bounds, Vector3fc towards, boolean moves) {
-            side = moves ? MOVING_SIDE : SIDE;
-            Key key = new Key(items, towards);
-            placeLight(bounds, towards);
-            if (key.equals(shown.get(side))) {
-                return;
-            }
-            FloatTarget map = maps.computeIfAbsent(side, texels -> context.createFloatTarget("shadows", spec(texels)));
-            if (program.isEmpty()) {
-                program =
-                        Optional.of(context.createMeshProgram(Shaders.library().load("shadow.frag")));
-            }
-            new RenderPass(context, program.get(), Map.of(), true)
-                    .draw(items, view, View.Area.whole(side, side), map, Tile.whole(side, side));
-            shown.put(side, key);
-        }
-
-        private void placeLight(BoundingSphere bounds, Vector3fc towards) {
-            float distance = DISTANCE * bounds.radius();
-            float reach = MARGIN * bounds.radius();
-            Vector3f eye = new Vector3f(bounds.center()).fma(distance, towards);
-            Vector3f up = Math.abs(towards.z()) < 0.9f ? new Vector3f(0, 0, 1) : new Vector3f(1, 0, 0);
-            float angle = (float) (2 * Math.atan(reach / (distance - reach)));
-            view = new View(new Camera(eye, bounds.center(), up), angle, 0, distance - reach, distance + reach);
-            worldToShadow.set(view.worldToClip(View.Area.whole(side, side)));
-            lift = LIFT * 2 * reach / side;
-        }
-
-        Map<String, Texture> textures() {
-            return Map.of("shadowMap", maps.getOrDefault(side, noShadows).depth());
-        }
-
-        void applyTo(ShaderProgram lit, boolean on) {
-            lit.set("worldToShadow", worldToShadow);
-            lit.set("shadowed", on ? 1 : 0);
-            lit.set("shadowLift", lift);
-        }
-
-        @Override
-        public void close() {
-            noShadows.close();
-            maps.values().forEach(FloatTarget::close);
-            program.ifPresent(ShaderProgram::close);
         }
     }
 }

@@ -67,12 +67,18 @@ final class Ground implements AutoCloseable {
      *
      * @param pixels {@link ScenePicture#rgba} of the piece's drawn samples, top row first; changed
      */
-    void fillUncovered(float[] pixels, DrawRequest request, SkinGeometry geometry, SceneBlocks.Piece piece) {
+    void fillUncovered(
+            float[] pixels,
+            DrawRequest request,
+            SkinGeometry geometry,
+            LightList lights,
+            LightTexture inMemory,
+            SceneBlocks.Piece piece) {
         Tile block = piece.block();
         Tile part = piece.inBlock();
         int samples = request.samples();
         FloatTarget drawn = target.of(context, "ground", spec(block, samples, FloatTarget.Format.RGBA32F));
-        set(program, request.scene(), geometry, block);
+        set(program, request.scene(), geometry, lights, block);
         program.set("viewPixels", (float) samples);
         int left = part.x() / samples;
         int right = (part.x() + part.width() - 1) / samples;
@@ -80,7 +86,7 @@ final class Ground implements AutoCloseable {
         int top = highest / samples;
         int bottom = (highest - part.height() + 1) / samples;
         Tile seen = new Tile(left, drawn.spec().height() - 1 - top, right - left + 1, top - bottom + 1);
-        context.drawFullScreen(program, textures(geometry), drawn, seen);
+        context.drawFullScreen(program, textures(inMemory), drawn, seen);
         float[] ground = drawn.read(0, seen);
         int i = 0;
         for (int row = 0; row < request.rows(part); row++) {
@@ -100,12 +106,13 @@ final class Ground implements AutoCloseable {
     }
 
     /** Draws the ground in sRGB into a whole block of a moving picture; the mesh is drawn over it. */
-    void fillMovingBlock(FloatTarget picture, Scene scene, SkinGeometry geometry, Tile block, double exposure) {
+    void fillMovingBlock(
+            FloatTarget picture, Scene scene, SkinGeometry geometry, LightTexture lights, Tile block, double exposure) {
         if (moving.isEmpty()) {
             moving = Optional.of(program(context, "1"));
         }
         ShaderProgram screen = moving.get();
-        set(screen, scene, geometry, block);
+        set(screen, scene, geometry, LightList.of(scene), block);
         screen.set("exposure", (float) exposure);
         screen.set("toneStart", (float) scene.display(exposure).tone().start());
         double[] behind = scene.get(SceneSettings.BACKGROUND).light();
@@ -114,7 +121,7 @@ final class Ground implements AutoCloseable {
         FloatTarget drawn =
                 movingTarget.of(context, "moving ground", spec(block, MOVING_PIXELS, FloatTarget.Format.RGBA8));
         Tile whole = Tile.whole(drawn.spec().width(), drawn.spec().height());
-        context.drawFullScreen(screen, textures(geometry), drawn, whole);
+        context.drawFullScreen(screen, textures(lights), drawn, whole);
         picture.fill(drawn);
     }
 
@@ -124,13 +131,13 @@ final class Ground implements AutoCloseable {
         return new FloatTarget.Spec(width, SceneBlocks.ceilDiv(block.height(), pixels), 1, false, format);
     }
 
-    private Map<String, Texture> textures(SkinGeometry geometry) {
-        Map<String, Texture> textures = new HashMap<>(geometry.shadows().textures());
+    private Map<String, Texture> textures(LightTexture lights) {
+        Map<String, Texture> textures = new HashMap<>(lights.textures());
         textures.put("groundSky", sky);
         return textures;
     }
 
-    private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, Tile block) {
+    private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, LightList lights, Tile block) {
         BoundingSphere bounds = geometry.bounds();
         Matrix4fc toWorld = SceneGraph.modelToWorld(scene.orientation(), bounds.center());
         float reach = (float) SkyVisibility.GROUND_REACH * bounds.radius();
@@ -140,14 +147,25 @@ final class Ground implements AutoCloseable {
         to.set("groundMiddle", toWorld.transformPosition(new Vector3f(center.x(), center.y(), (float) height)));
         to.set("groundAcross", toWorld.transformDirection(new Vector3f(reach, 0, 0)));
         to.set("groundAlong", toWorld.transformDirection(new Vector3f(0, reach, 0)));
-        to.set("groundNormal", toWorld.transformDirection(new Vector3f(0, 0, 1)));
+        Vector3f normal = toWorld.transformDirection(new Vector3f(0, 0, 1));
+        to.set("groundNormal", normal);
         double[] color = scene.ground().orElseThrow().light();
         to.set("groundColor", new Vector3f((float) color[0], (float) color[1], (float) color[2]));
         to.set("skyWeight", (float) scene.sky());
         to.set("ambientWeight", scene.get(SceneSettings.AMBIENT).floatValue());
         to.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());
-        SkinSurface.setLights(to, scene);
-        geometry.shadows().applyTo(to, scene.hasShadows());
+        Vector3f ambient = new Vector3f();
+        lights.all().forEach(light -> ambient.add(light.color()));
+        to.set("groundAmbient", ambient);
+        float[] direct = new float[3 * LightList.MOST_GROUPS];
+        for (int i = 0; i < lights.groups().size(); i++) {
+            Vector3f lit = lights.groups().get(i).onPlane(normal);
+            for (int c = 0; c < 3; c++) {
+                direct[3 * i + c] = lit.get(c);
+            }
+        }
+        to.set("groundLights", direct);
+        to.set("lightGroups", lights.groups().size());
     }
 
     @Override

@@ -1,6 +1,7 @@
 package sunbeam.app.render;
 
 import java.util.Arrays;
+import java.util.List;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
@@ -10,6 +11,7 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.DrawRequest.SceneBlocks;
+import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 
 /** Runs the shading pass (shaders/skin.frag) only for pixels that show skin, packed into a compact target (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {
@@ -33,7 +35,14 @@ final class PackedShading implements AutoCloseable {
     }
 
     /** Part of a block to shade. The buffer has also the geometry beside it, since footprints are differences to neighbors. */
-    record Part(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
+    record Part(
+            SkinSurface skin,
+            DrawRequest request,
+            SkinGeometry geometry,
+            GeometryBuffer buffer,
+            LightList lights,
+            LightTexture inMemory,
+            SceneBlocks.Piece piece) {
         int columns() {
             return request.columns(piece.inBlock());
         }
@@ -94,7 +103,7 @@ final class PackedShading implements AutoCloseable {
     private int[] shade(Part part, int[] covered, float[] lit) {
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = upload(part, covered, first);
-            float[] drawn = UploadedTables.requireWholeSums(meanOfDraws(part, packing));
+            float[] drawn = sumOfLights(part, packing);
             for (int i = 0; i < packing.count(); i++) {
                 copy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i]);
             }
@@ -113,16 +122,28 @@ final class PackedShading implements AutoCloseable {
         return false;
     }
 
-    private float[] meanOfDraws(Part part, Packing packing) {
-        int draws = part.skin.draws(part.request.scene(), part.request.samples());
+    private float[] sumOfLights(Part part, Packing packing) {
+        int lights = part.lights.count();
+        int perPass = part.skin.lightsPerPass();
+        float[] sum = meanOfDraws(part, packing, 0, Math.min(lights, perPass));
+        for (int first = perPass; first < lights; first += perPass) {
+            float[] further = meanOfDraws(part, packing, first, Math.min(lights, first + perPass));
+            for (int i = 0; i < sum.length; i++) {
+                sum[i] += i % CHANNELS == CHANNELS - 1 ? 0 : further[i];
+            }
+        }
+        return sum;
+    }
+
+    private float[] meanOfDraws(Part part, Packing packing, int firstLight, int lastLight) {
+        int draws = part.skin.draws(part.request.scene(), part.lights, part.request.samples());
         float[] sums = new float[CHANNELS * packing.count()];
         for (int draw = 0; draw < draws; draw++) {
-            shade(part, packing, draw, true);
-            float[] drawn = read(packing, 0);
+            part.skin.shade(part, sources, target, packing.used(), firstLight, lastLight, draw, true);
+            float[] drawn = UploadedTables.requireWholeSums(read(packing, 0));
             if (draws == 1) {
                 return drawn;
             }
-            UploadedTables.requireWholeSums(drawn);
             for (int i = 0; i < sums.length; i++) {
                 sums[i] += drawn[i];
             }
@@ -140,18 +161,19 @@ final class PackedShading implements AutoCloseable {
     }
 
     private void addFeedback(Part part, int[] covered) {
+        List<LightList.Light> lights = part.lights.all();
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = upload(part, covered, first);
-            for (int level = 0; level < part.skin.levelsRead(part.request.scene()); level++) {
-                shade(part, packing, level, false);
-                Footprints footprints = new Footprints(read(packing, 1), read(packing, 2));
-                part.tiles().addFeedback(footprints, !part.request.isCoarsest());
+            for (int light = 0; light < lights.size(); light++) {
+                // A wide light's colors are means of two levels.
+                int levels = lights.get(light).deviation() > 0 ? 2 : 1;
+                for (int level = 0; level < levels; level++) {
+                    part.skin.shade(part, sources, target, packing.used(), light, light + 1, level, false);
+                    Footprints footprints = new Footprints(read(packing, 1), read(packing, 2));
+                    part.tiles().addFeedback(footprints, !part.request.isCoarsest());
+                }
             }
         }
-    }
-
-    private void shade(Part part, Packing packing, int draw, boolean hasColors) {
-        part.skin.shade(part, sources, target, packing.used(), draw, hasColors);
     }
 
     /** Uploads the index of the geometry buffer's texel that each slot shades, -1 for none, for the pixels from the first. */

@@ -5,6 +5,7 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
 import jrtr.Tile;
@@ -97,7 +98,7 @@ public record PartSum(List<SceneSession> sessions) {
 
     private ScenePicture underOneLight(DrawRequest request) {
         ScenePicture light = light(request, SceneSession::draw);
-        return request.scene().hasBody() ? over(body(request), light, request.scene()) : light;
+        return request.scene().hasBody() ? over(body(request), light, request) : light;
     }
 
     /**
@@ -119,7 +120,9 @@ public record PartSum(List<SceneSession> sessions) {
         int columns = SceneBlocks.ceilDiv(width, stride);
         int rows = SceneBlocks.ceilDiv(height, stride);
         List<ScenePicture> lit = new ArrayList<>();
-        for (Scene alone : scene.perLight()) {
+        int lights = LightList.of(scene).count();
+        for (int i = 0; i < lights; i++) {
+            OptionalInt alone = OptionalInt.of(i);
             ScenePicture light = ScenePicture.empty(columns, rows);
             boolean isWhole = tiles.draw(Tile.whole(columns, rows).divide(TimedTiles.LARGEST), interrupted, few -> {
                 int x = stride * few.x();
@@ -127,14 +130,18 @@ public record PartSum(List<SceneSession> sessions) {
                 int right = Math.min(x + stride * few.width(), width);
                 int bottom = Math.min(y + stride * few.height(), height);
                 Tile tile = new Tile(x, y, right - x, bottom - y);
-                var request = new DrawRequest(alone, width, height, tile, 1, stride, stride, false, Optional.empty());
+                var request =
+                        new DrawRequest(scene, width, height, tile, 1, stride, stride, false, Optional.empty(), alone);
                 light.put(light(request, SceneSession::drawResident), few.x(), few.y());
             });
             if (!isWhole) {
                 return Optional.empty();
             }
-            ScenePicture body = body(DrawRequest.ofPixels(alone, width, height, Tile.whole(width, height), 1));
-            lit.add(over(body, light.enlarged(stride, body, white), alone));
+            DrawRequest whole = DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), 1)
+                    .perLight()
+                    .get(i);
+            ScenePicture body = body(whole);
+            lit.add(over(body, light.enlarged(stride, body, white), whole));
         }
         return Optional.of(ScenePicture.sum(lit));
     }
@@ -157,8 +164,10 @@ public record PartSum(List<SceneSession> sessions) {
         }
     }
 
-    private static ScenePicture over(ScenePicture body, ScenePicture light, Scene scene) {
-        double intensity = scene.light().intensity();
+    /** @param request for one light */
+    private static ScenePicture over(ScenePicture body, ScenePicture light, DrawRequest request) {
+        Scene scene = request.scene();
+        double intensity = request.lights().all().get(0).luminance();
         // With Fresnel's reflectance as opacity the shader has already attenuated the body.
         boolean byLight = scene.bodyAlpha() == BodyAlpha.LIGHT;
         double share = byLight ? 1 : 1 - scene.get(SceneSettings.AMBIENT);

@@ -30,14 +30,11 @@ public final class SceneSession implements AutoCloseable {
     public static final int TILE_SIDE = 128;
 
     private final RenderContext context;
-    private final Map<CacheKey, GeometryBuffer.Cache> buffers = new HashMap<>();
+    private final Map<Layout, GeometryBuffer.Cache> buffers = new HashMap<>();
     private final PackedShading shading;
     private final Picking picking;
     private final UploadedScene uploaded;
     private long meshNanoseconds;
-
-    /** The first light may have shadows, others have none. */
-    private record CacheKey(Layout layout, boolean hasShadows) {}
 
     /** Uploads a scene; throws {@link jrtr.GraphicsException} if the device has no room for it. */
     public SceneSession(RenderContext context, SceneData data) {
@@ -109,31 +106,33 @@ public final class SceneSession implements AutoCloseable {
             throw new IllegalArgumentException(
                     "a scene with another mesh, patch, texture or method needs an update first");
         }
-        return ScenePicture.sum(
-                request.perLight().stream().map(this::underOneLight).toList());
-    }
-
-    private ScenePicture underOneLight(DrawRequest request) {
-        SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height(), false);
+        SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height());
+        LightList lights = request.lights();
+        LightTexture inMemory = uploaded.lights(geometry, lights, false);
         Optional<Ground> ground = uploaded.ground(request.scene());
         ScenePicture picture = ScenePicture.empty(request.columns(request.tile()), request.rows(request.tile()));
         for (SceneBlocks.Piece piece : request.blocks().split(request.tile())) {
-            float[] pixels = shading.shade(part(request, geometry, piece));
-            ground.ifPresent(below -> below.fillUncovered(pixels, request, geometry, piece));
+            float[] pixels = shading.shade(part(request, geometry, lights, inMemory, piece));
+            ground.ifPresent(below -> below.fillUncovered(pixels, request, geometry, lights, inMemory, piece));
             var drawn = new ScenePicture(request.columns(piece.inBlock()), request.rows(piece.inBlock()), pixels);
             picture.put(drawn, piece.x() / request.across(), piece.y() / request.down());
         }
         return picture;
     }
 
-    private PackedShading.Part part(DrawRequest request, SkinGeometry geometry, SceneBlocks.Piece piece) {
-        return new PackedShading.Part(uploaded.skin(), request, drawn(Layout.FULL, geometry, piece.block()), piece);
+    private PackedShading.Part part(
+            DrawRequest request,
+            SkinGeometry geometry,
+            LightList lights,
+            LightTexture inMemory,
+            SceneBlocks.Piece piece) {
+        GeometryBuffer buffer = drawn(Layout.FULL, geometry, piece.block());
+        return new PackedShading.Part(uploaded.skin(), request, geometry, buffer, lights, inMemory, piece);
     }
 
     private GeometryBuffer drawn(Layout layout, SkinGeometry geometry, Tile block) {
         long start = System.nanoTime();
-        CacheKey key = new CacheKey(layout, geometry.shadowLight().isPresent());
-        var cache = buffers.computeIfAbsent(key, absent -> new GeometryBuffer.Cache(context, layout));
+        var cache = buffers.computeIfAbsent(layout, absent -> new GeometryBuffer.Cache(context, layout));
         GeometryBuffer buffer = cache.of(geometry, block);
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
@@ -141,19 +140,18 @@ public final class SceneSession implements AutoCloseable {
 
     /** Adds footprints to the feedback. If interrupted, clears it and returns false. */
     private boolean addFeedback(List<DrawRequest> parts, BooleanSupplier interrupted) {
-        int lights = parts.get(0).scene().perLight().size();
-        for (int light = 0; light < lights; light++) {
-            // Backwards: the LRU cache keeps the geometry of parts that are drawn first.
-            for (int i = parts.size() - 1; i >= 0; i--) {
-                if (interrupted.getAsBoolean()) {
-                    virtualTexture().ifPresent(VirtualTexture::clearFeedback);
-                    return false;
-                }
-                DrawRequest request = parts.get(i).perLight().get(light);
-                SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height(), false);
-                for (SceneBlocks.Piece piece : request.blocks().split(request.tile())) {
-                    shading.addFeedback(part(request, geometry, piece));
-                }
+        // Backwards: the LRU cache keeps the geometry of parts that are drawn first.
+        for (int i = parts.size() - 1; i >= 0; i--) {
+            if (interrupted.getAsBoolean()) {
+                virtualTexture().ifPresent(VirtualTexture::clearFeedback);
+                return false;
+            }
+            DrawRequest request = parts.get(i);
+            SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height());
+            LightList lights = request.lights();
+            LightTexture inMemory = uploaded.lights(geometry, lights, false);
+            for (SceneBlocks.Piece piece : request.blocks().split(request.tile())) {
+                shading.addFeedback(part(request, geometry, lights, inMemory, piece));
             }
         }
         return true;
@@ -210,14 +208,15 @@ public final class SceneSession implements AutoCloseable {
 
     /** Draws a moving picture of a scene; without its diffraction before the first {@link #update(SceneData)}. */
     public BufferedImage body(Scene scene, int width, int height, double exposure) {
-        SkinGeometry geometry = uploaded.geometry(scene, width, height, true);
+        SkinGeometry geometry = uploaded.geometry(scene, width, height);
+        LightTexture lights = uploaded.lights(geometry, LightList.of(scene), true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         // Direct writes end Swing's acceleration, from which an image that is painted once gains nothing.
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
             GeometryBuffer buffer = drawn(Layout.MOVING, geometry, piece.block());
             int[] part = uploaded.skin()
-                    .drawMoving(scene, uploaded.ground(scene), geometry, buffer, piece.block(), exposure);
+                    .drawMoving(scene, uploaded.ground(scene), geometry, lights, buffer, piece.block(), exposure);
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
@@ -228,7 +227,7 @@ public final class SceneSession implements AutoCloseable {
 
     /** The patch's x axis, 3 values per pixel in world space, top row first; zeros without skin. */
     float[] patchDirections(int width, int height) {
-        SkinGeometry geometry = uploaded.geometry(scene(), width, height, false);
+        SkinGeometry geometry = uploaded.geometry(scene(), width, height);
         float[] directions = new float[3 * width * height];
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
             Tile part = piece.inBlock();

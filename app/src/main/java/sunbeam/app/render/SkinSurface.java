@@ -82,14 +82,15 @@ final class SkinSurface implements AutoCloseable {
     }
 
     /** Number of draws whose mean is the picture: each has one slope of fine relief and one direction of a wide light. */
-    int draws(Scene scene, int samplesAcross) {
-        return texture.isEmpty() && (scene.slopeDeviation() > 0 || scene.deviation(scene.light()) > 0)
+    int draws(Scene scene, LightList lights, int samplesAcross) {
+        return texture.isEmpty() && (scene.slopeDeviation() > 0 || lights.areWide())
                 ? Math.max(LEAST_SLOPES, SLOPES_PER_SAMPLE_ACROSS * samplesAcross)
                 : 1;
     }
 
-    int levelsRead(Scene scene) {
-        return scene.deviation(scene.light()) > 0 ? 2 : 1;
+    /** Number of lights that a pass draws: footprints read tables quickly, points may need all steps of loops that a driver allows. */
+    int lightsPerPass() {
+        return texture.isPresent() ? LightList.MOST : 1;
     }
 
     /**
@@ -98,19 +99,34 @@ final class SkinSurface implements AutoCloseable {
      *
      * @param sources texel to shade of each target pixel, as by {@link GeometryBuffer#texel}; -1 for none
      * @param target as large as the sources; undefined at pixels without source
-     * @param draw index below {@link #draws}; without colors, index of a level below {@link #levelsRead}
+     * @param firstLight first of the lights that are drawn
+     * @param lastLight light after the last
+     * @param draw index below {@link #draws}; without colors, 0 for the footprint's own level, 1 for the next
      * @param hasColors false to write footprints only
      */
-    void shade(Part part, FloatTexture sources, FloatTarget target, Tile tile, int draw, boolean hasColors) {
+    void shade(
+            Part part,
+            FloatTexture sources,
+            FloatTarget target,
+            Tile tile,
+            int firstLight,
+            int lastLight,
+            int draw,
+            boolean hasColors) {
         DrawRequest request = part.request();
         Scene scene = request.scene();
         if (program == null) {
             program = method.program("skin.frag", Map.of("COLOR_LEVELS", texture.isPresent() ? "1" : "0"));
         }
-        setLight(program, scene);
-        program.set("lightVariance", (float) Math.pow(scene.deviation(scene.light()), 2));
+        setBlend(program, scene);
+        program.set("firstLight", firstLight);
+        program.set("lastLight", lastLight);
+        program.set("lightGroups", part.lights().groups().size());
+        program.set("targetToWorld", part.geometry().blockToWorld(part.piece().block()));
         Map<String, Texture> textures = new HashMap<>(method.textures());
         textures.putAll(part.buffer().textures());
+        textures.put("depths", part.buffer().attributes().depth());
+        textures.putAll(part.inMemory().textures());
         if (texture.isPresent()) {
             ColorTable table = texture.get().table();
             setFootprints(program, table, scene);
@@ -149,6 +165,7 @@ final class SkinSurface implements AutoCloseable {
             Scene scene,
             Optional<Ground> ground,
             SkinGeometry geometry,
+            LightTexture inMemory,
             GeometryBuffer buffer,
             Tile block,
             double exposure) {
@@ -157,7 +174,8 @@ final class SkinSurface implements AutoCloseable {
         ShaderProgram moving = movingPrograms.computeIfAbsent(
                 lights.size(),
                 count -> method.program("moving.frag", Map.of("MOST_TAPS", taps + "", "LIGHTS", count + "")));
-        setLight(moving, scene);
+        setLights(moving, scene);
+        setBlend(moving, scene);
         float[] variances = Floats.of(lights.size(), i -> Math.pow(scene.deviation(lights.get(i)), 2));
         moving.set("lightVariances", variances);
         Map<String, Texture> textures = new HashMap<>(method.textures());
@@ -170,18 +188,17 @@ final class SkinSurface implements AutoCloseable {
         });
         geometry.applyRaysTo(moving, block);
         moving.set("targetToWorld", geometry.blockToWorld(block));
-        geometry.shadows().applyTo(moving, scene.hasShadows());
         moving.set("exposure", (float) exposure);
         moving.set("toneStart", (float) scene.display(exposure).tone().start());
         textures.putAll(buffer.textures());
         textures.put("depths", buffer.attributes().depth());
-        textures.putAll(geometry.shadows().textures());
+        textures.putAll(inMemory.textures());
         Tile whole = Tile.whole(block.width(), block.height());
         moving.set("perPicture", 1f / block.width(), 1f / block.height());
         var spec = new FloatTarget.Spec(block.width(), block.height(), 1, true, FloatTarget.Format.RGBA8);
         FloatTarget target = movingTarget.of(context, "moving", spec);
         if (ground.isPresent()) {
-            ground.get().fillMovingBlock(target, scene, geometry, block, exposure);
+            ground.get().fillMovingBlock(target, scene, geometry, inMemory, block, exposure);
         } else {
             int rgb = scene.get(SceneSettings.BACKGROUND).rgb();
             target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
@@ -196,9 +213,8 @@ final class SkinSurface implements AutoCloseable {
         Light.apply(SceneGraph.of(scene, new Vector3f(), List.of()).lights(), program);
     }
 
-    /** For jrtr/lights.glsl, include/blend.glsl and include/sky.glsl. */
-    private void setLight(ShaderProgram program, Scene scene) {
-        setLights(program, scene);
+    /** For include/blend.glsl and include/sky.glsl. */
+    private void setBlend(ShaderProgram program, Scene scene) {
         program.set("diffractionWeight", (float) (scene.get(SceneSettings.DIFFRACTION) * diffractionScale));
         program.set("textureWeight", scene.get(SceneSettings.TEXTURE_WEIGHT).floatValue());
         program.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());

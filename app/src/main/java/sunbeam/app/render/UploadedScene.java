@@ -21,9 +21,7 @@ import jrtr.scene.RenderPass;
 import jrtr.scene.Shape;
 import jrtr.scene.View;
 import org.joml.Vector3f;
-import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
-import sunbeam.app.render.GeometryBuffer.Shadows;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
@@ -41,7 +39,7 @@ import sunbeam.precompute.optics.Direction;
 /** A scene in graphics memory: mesh, textures, and the method with its tables. */
 final class UploadedScene implements AutoCloseable {
     private final RenderContext context;
-    private final Shadows shadows;
+    private final LightTexture lights;
     private SceneData data;
     private UploadedMesh mesh;
     private SkinTextures body;
@@ -50,7 +48,7 @@ final class UploadedScene implements AutoCloseable {
     /** Has no scene until {@link #upload} or {@link #update}. */
     UploadedScene(RenderContext context) {
         this.context = context;
-        this.shadows = new Shadows(context);
+        this.lights = new LightTexture(context);
     }
 
     SceneData data() {
@@ -66,16 +64,17 @@ final class UploadedScene implements AutoCloseable {
         return skin;
     }
 
-    /** Geometry of a scene with the uploaded meshes; draws its shadow map first, if it has shadows. */
-    SkinGeometry geometry(Scene scene, int width, int height, boolean moves) {
+    /** Geometry of a scene with the uploaded meshes. */
+    SkinGeometry geometry(Scene scene, int width, int height) {
         GraphSceneManager graph = graph(scene);
         BoundingSphere bounds = graph.bounds().orElseThrow();
-        Optional<Vector3fc> light =
-                scene.hasShadows() ? Optional.of(scene.light().towards()) : Optional.empty();
-        light.ifPresent(towards -> shadows.draw(graph.items(), bounds, towards, moves));
-        // The shading pass of moving pictures reads shadows, so that a moving light leaves the geometry valid.
-        Optional<Vector3fc> shadowLight = moves ? Optional.empty() : light;
-        return new SkinGeometry(graph.items(), bounds, viewpoint(scene, graph), shadows, shadowLight, width, height);
+        return new SkinGeometry(graph.items(), bounds, viewpoint(scene, graph), width, height);
+    }
+
+    /** Uploads lights and draws their shadow maps; moving pictures have coarser ones. */
+    LightTexture lights(SkinGeometry geometry, LightList list, boolean moves) {
+        lights.update(list, new LightTexture.Casters(geometry.items(), geometry.bounds()), moves);
+        return lights;
     }
 
     private GraphSceneManager graph(Scene scene) {
@@ -130,7 +129,7 @@ final class UploadedScene implements AutoCloseable {
         closeUnlessSame(skin, null, SkinSurface::close);
         closeUnlessSame(body, null, SkinTextures::close);
         closeUnlessSame(mesh, null, UploadedMesh::close);
-        shadows.close();
+        lights.close();
     }
 
     /** @param ground ground below the mesh; present if the mesh has the visible share of the sky per vertex */

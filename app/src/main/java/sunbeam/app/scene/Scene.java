@@ -1,6 +1,5 @@
 package sunbeam.app.scene;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -139,21 +138,6 @@ public record Scene(
     /** Returns all lights, the key light first. */
     public List<SceneLight> lights() {
         return Stream.concat(Stream.of(light), fillLights.stream()).toList();
-    }
-
-    /** Returns parts of a wide light if pixels are footprints, which show one direction of light. */
-    private List<SceneLight> drawn(SceneLight one) {
-        return method.type().equals(TableMethod.TYPE) && !method.isThesis() ? one.narrow() : List.of(one);
-    }
-
-    /** Returns scenes of one light each, whose sum is this one's picture, those of the key light first; fill lights cast no shadows. */
-    public List<Scene> perLight() {
-        Scene underKey = withFillLights(List.of());
-        Scene underFill = underKey.with(SceneSettings.SHADOWS, false);
-        List<Scene> scenes = new ArrayList<>();
-        drawn(light).forEach(one -> scenes.add(underKey.withLight(one)));
-        fillLights.forEach(fill -> drawn(fill).forEach(one -> scenes.add(underFill.withLight(one))));
-        return scenes.size() == 1 ? List.of(this) : scenes;
     }
 
     /** Returns the standard deviation of a light's directions, radians; 0 with the thesis's preset. */
