@@ -10,4 +10,11 @@ public class GraphicsException extends RuntimeException {
     public GraphicsException(String message, Throwable cause) {
         super(message.strip().replaceAll("\\s*\\R\\s*", " "), cause);
     }
+
+    /** Failure of a driver that works, but does less than what was asked. */
+    public static final class BeyondLimit extends GraphicsException {
+        public BeyondLimit(String message) {
+            super(message);
+        }
+    }
 }

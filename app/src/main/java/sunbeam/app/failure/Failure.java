@@ -6,11 +6,13 @@ import java.util.concurrent.ExecutionException;
 import jrtr.GraphicsException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.MemoryException;
 import sunbeam.app.terminal.ShutdownHook.CancelledException;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.setting.Choices.Origin;
+import sunbeam.precompute.setting.Excess;
 import sunbeam.precompute.setting.SettingException;
 
 /** Failure as the user sees it: exit code and message of an exception, without the wrappers of thread pools. */
@@ -18,10 +20,13 @@ public record Failure(ExitCode code, String message, Throwable cause) {
     /** Exit codes by the type of the exception. A new type needs an entry here, and a message that names the value and the remedy. */
     private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(
             Map.entry(UsageException.class, ExitCode.USAGE),
+            Map.entry(MemoryException.class, ExitCode.TOO_LITTLE_MEMORY),
+            Map.entry(OutOfMemoryError.class, ExitCode.TOO_LITTLE_MEMORY),
             Map.entry(SettingException.class, ExitCode.USAGE),
             Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(ScanException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(GraphicsException.class, ExitCode.NO_GRAPHICS),
+            Map.entry(GraphicsException.BeyondLimit.class, ExitCode.DRIVER_LIMIT),
             Map.entry(OutputException.class, ExitCode.CANNOT_WRITE),
             Map.entry(OutputException.Exists.class, ExitCode.OUTPUT_EXISTS),
             Map.entry(CancelledException.class, ExitCode.INTERRUPTED),
@@ -29,13 +34,19 @@ public record Failure(ExitCode code, String message, Throwable cause) {
 
     public static Failure of(Throwable thrown) {
         Throwable cause = unwrapped(thrown);
-        boolean isOfFile = cause instanceof SettingException choice && choice.place() == Origin.Place.FILE;
-        ExitCode code = isOfFile ? ExitCode.UNUSABLE_INPUT : codeOf(cause.getClass());
+        ExitCode code = cause instanceof SettingException choice ? codeOf(choice) : codeOf(cause.getClass());
         return new Failure(code, message(cause, code), cause);
     }
 
     public boolean isBug() {
-        return code == ExitCode.INTERNAL_ERROR && !(cause instanceof OutOfMemoryError);
+        return code == ExitCode.INTERNAL_ERROR;
+    }
+
+    private static ExitCode codeOf(SettingException choice) {
+        ExitCode wrong = choice.place() == Origin.Place.FILE ? ExitCode.UNUSABLE_INPUT : ExitCode.USAGE;
+        return choice.excess()
+                .map(excess -> excess.isOfMemory() ? ExitCode.TOO_LITTLE_MEMORY : ExitCode.DRIVER_LIMIT)
+                .orElse(wrong);
     }
 
     /** Returns the code of the class or of its nearest known superclass; an unknown exception is a bug. */
@@ -51,15 +62,23 @@ public record Failure(ExitCode code, String message, Throwable cause) {
 
     private static String message(Throwable cause, ExitCode code) {
         if (cause instanceof OutOfMemoryError) {
-            long mebibytes = Runtime.getRuntime().maxMemory() >> 20;
-            return "out of memory: Java's heap may take " + mebibytes + " MiB (" + cause.getMessage()
-                    + "); allow more with SUNBEAM_JAVA_OPTIONS=-Xmx" + 2 * mebibytes + "m, or ask for less";
+            long bytes = Runtime.getRuntime().maxMemory();
+            return "out of memory: Java's heap may take " + (bytes >> 20) + " MiB (" + cause.getMessage() + ")"
+                    + remedy(2 * bytes) + ", or ask for less";
+        }
+        if (cause instanceof SettingException choice && choice.excess().isPresent()) {
+            Excess excess = choice.excess().get();
+            return choice.getMessage() + (excess.isOfMemory() ? remedy(excess.heapBytes()) : "");
         }
         return switch (code) {
             case INTERNAL_ERROR -> "internal error, a bug in Sunbeam: " + cause;
             case INTERRUPTED -> "interrupted";
             default -> cause.getMessage();
         };
+    }
+
+    private static String remedy(long heapBytes) {
+        return "; allow more with SUNBEAM_JAVA_OPTIONS=-Xmx" + ((heapBytes >> 20) + 1) + "m";
     }
 
     private static Throwable unwrapped(Throwable thrown) {

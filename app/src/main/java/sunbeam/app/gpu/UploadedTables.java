@@ -88,7 +88,7 @@ public record UploadedTables(RenderContext context, ShaderTables tables, Map<Str
     public static float[] requireWholeSums(float[] results) {
         for (float result : results) {
             if (result < LARGEST_PARTIAL_SUM) {
-                throw new GraphicsException(
+                throw new GraphicsException.BeyondLimit(
                         "the graphics driver ended a shader's loops before they were done, as Mesa's"
                                 + " software renderer does after 65,535 steps, and what they summed is wrong; give a coarser tolerance,"
                                 + " method table, a longer coherence length or a smaller neighborhood");

@@ -6,7 +6,7 @@ import java.util.Map;
 /** Exit statuses of the process. Scripts rely on these numbers: they never change. */
 public enum ExitCode {
     OK(0, "done"),
-    INTERNAL_ERROR(1, "internal error: a bug in Sunbeam, or out of memory"),
+    INTERNAL_ERROR(1, "internal error: a bug in Sunbeam"),
     USAGE(2, "wrong command line"),
     TOLERANCE_MISSED(
             3,
@@ -17,7 +17,11 @@ public enum ExitCode {
     CANNOT_WRITE(6, "output cannot be written"),
     SETUP_FAILED(7, "set-up or build failed (before the program starts)"),
     OUTPUT_EXISTS(8, "output exists, and --force is not given"),
-    INTERRUPTED(130, "interrupted (Ctrl-C)");
+    TOO_LITTLE_MEMORY(9, "too little memory for Java"),
+    DRIVER_LIMIT(10, "more than graphics drivers can do (steps of a loop, size of a texture)"),
+    HUNG_UP(129, "the terminal was closed (SIGHUP)"),
+    INTERRUPTED(130, "interrupted (Ctrl-C)"),
+    TERMINATED(143, "terminated (SIGTERM)");
 
     private final int code;
     private final String meaning;

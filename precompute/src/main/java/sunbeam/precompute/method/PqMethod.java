@@ -116,16 +116,17 @@ public record PqMethod(
                 wavelengths);
         surface.planner().excess(planned.memory()).ifPresent(excess -> {
             throw new SettingException(
-                    Methods.METHOD,
-                    Text.format(
-                            "takes %d x %d samples of the period's spectrum in %d terms, which %s; crop the patch, or give a coarser ",
-                            planned.bandX().count(),
-                            planned.bandY().count(),
-                            planned.expansion().terms(),
-                            excess),
-                    MethodSettings.TOLERANCE,
-                    " or fewer ",
-                    MethodSettings.TERMS);
+                            Methods.METHOD,
+                            Text.format(
+                                    "takes %d x %d samples of the period's spectrum in %d terms, which %s; crop the patch, or give a coarser ",
+                                    planned.bandX().count(),
+                                    planned.bandY().count(),
+                                    planned.expansion().terms(),
+                                    excess.words()),
+                            MethodSettings.TOLERANCE,
+                            " or fewer ",
+                            MethodSettings.TERMS)
+                    .because(excess);
         });
         return planned.plan();
     }

@@ -64,17 +64,18 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     void requireRoom(Surface surface, TableDesign design, MemoryNeed need) {
         surface.planner().excess(need).ifPresent(excess -> {
             throw SettingException.of(
-                    MethodSettings.TOLERANCE,
-                    tolerance,
-                    Text.format(
-                            "and a table of colors in steps of %.2g in (u, v) %s; give a coarser ",
-                            design.step(), excess),
-                    MethodSettings.TOLERANCE,
-                    ", a shorter ",
-                    MethodSettings.COHERENCE_LENGTH,
-                    ", or ",
-                    Methods.METHOD,
-                    " full");
+                            MethodSettings.TOLERANCE,
+                            tolerance,
+                            Text.format(
+                                    "and a table of colors in steps of %.2g in (u, v) %s; give a coarser ",
+                                    design.step(), excess.words()),
+                            MethodSettings.TOLERANCE,
+                            ", a shorter ",
+                            MethodSettings.COHERENCE_LENGTH,
+                            ", or ",
+                            Methods.METHOD,
+                            " full")
+                    .because(excess);
         });
     }
 

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
 import sunbeam.precompute.plan.ShaderTables.MethodUse;
+import sunbeam.precompute.setting.Excess;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.text.Text;
 
@@ -55,8 +56,8 @@ public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
         return textures.stream().mapToLong(size).max().orElse(0);
     }
 
-    /** Returns which limit is exceeded, as the end of a sentence that begins with "this plan". */
-    Optional<String> excess(long heapLimit) {
+    /** Returns which limit is exceeded. */
+    Optional<Excess> excess(long heapLimit) {
         long longestSide = largest(layout -> Math.max(layout.width(), layout.height()));
         if (longestSide > LONGEST_SIDE) {
             return excess(
@@ -80,15 +81,15 @@ public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
                     inWords(textureBytes), inWords(MOST_TEXTURE_BYTES));
         }
         if (heapBytes > USABLE_HEAP * heapLimit) {
-            return excess(
-                    "%s of memory, but Java's heap may take %s (SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more)",
-                    inWords(heapBytes), inWords(heapLimit), (long) (heapBytes / USABLE_HEAP / (1 << 20)) + 1);
+            String words = Text.format(
+                    "need %s of memory, but Java's heap may take %s", inWords(heapBytes), inWords(heapLimit));
+            return Optional.of(new Excess(words, (long) (heapBytes / USABLE_HEAP)));
         }
         return Optional.empty();
     }
 
-    private static Optional<String> excess(String what, Object... numbers) {
-        return Optional.of(Text.format("need " + what, numbers));
+    private static Optional<Excess> excess(String what, Object... numbers) {
+        return Optional.of(Excess.ofDriver(Text.format("need " + what, numbers)));
     }
 
     static String inWords(long bytes) {

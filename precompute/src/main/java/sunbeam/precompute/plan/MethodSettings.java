@@ -128,9 +128,11 @@ public final class MethodSettings {
                             MethodSettings::illuminant,
                             UnaryOperator.identity(),
                             String.join(", ", Illuminant.NAMES) + ", or a file (.csv)"),
-                    "Spectrum of the light: " + String.join(", ", Illuminant.NAMES)
-                            + " (E: equal power), or a CSV file: columns of wavelengths in nm, 380 to 780 in steps of at most 20,"
-                            + " and of power.")
+                    // The first sentence, all of the short help, does not grow with the names.
+                    "Spectrum of the light: D65, D50, A or another name, or a CSV file. Names: "
+                            + String.join(", ", Illuminant.NAMES)
+                            + " (E: equal power). The file has columns of wavelengths in nm, 380 to 780 in steps of at most 20, and of"
+                            + " power.")
             .withStandard("D65");
 
     public static final Setting<WavelengthBand> WAVELENGTHS = new Setting<>(

@@ -12,6 +12,7 @@ import sunbeam.precompute.plan.Sampling.BinSampling;
 import sunbeam.precompute.plan.Sampling.OrderSampling;
 import sunbeam.precompute.plan.Sampling.OrderSampling.BandRule;
 import sunbeam.precompute.reference.ExactLight.WindowLight;
+import sunbeam.precompute.setting.Excess;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.Expansion.HeightScale;
@@ -86,8 +87,8 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
                 : Roughness.NONE;
     }
 
-    /** Returns which limit a need of memory exceeds, as the end of a sentence that begins with "this plan"; empty if it fits. */
-    public Optional<String> excess(MemoryNeed need) {
+    /** Returns which limit a need of memory exceeds; empty if it fits. */
+    public Optional<Excess> excess(MemoryNeed need) {
         return need.excess(heapLimit);
     }
 

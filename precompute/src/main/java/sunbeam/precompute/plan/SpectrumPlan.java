@@ -12,6 +12,7 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.ShaderTables.MethodUse;
+import sunbeam.precompute.setting.Excess;
 import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
@@ -188,33 +189,35 @@ public record SpectrumPlan(
     Optional<SettingException> refusal(int rows, long heapLimit, long mostSteps) {
         return excess(rows, heapLimit, mostSteps)
                 .map(excess -> SettingException.of(
-                        MethodSettings.COHERENCE_LENGTH,
-                        window().coherenceLength(),
-                        excess
-                                + "; method table, for the ensemble average, and method reference, for lists, take less; else crop the"
-                                + " patch, or give a coarser ",
-                        MethodSettings.TOLERANCE,
-                        ", fewer ",
-                        MethodSettings.TERMS,
-                        ", a smaller ",
-                        MethodSettings.RADIUS,
-                        ", a larger ",
-                        MethodSettings.WAVELENGTH_STEP,
-                        " or another ",
-                        MethodSettings.COHERENCE_LENGTH));
+                                MethodSettings.COHERENCE_LENGTH,
+                                window().coherenceLength(),
+                                excess.words()
+                                        + "; method table, for the ensemble average, and method reference, for lists, take less; else crop the"
+                                        + " patch, or give a coarser ",
+                                MethodSettings.TOLERANCE,
+                                ", fewer ",
+                                MethodSettings.TERMS,
+                                ", a smaller ",
+                                MethodSettings.RADIUS,
+                                ", a larger ",
+                                MethodSettings.WAVELENGTH_STEP,
+                                " or another ",
+                                MethodSettings.COHERENCE_LENGTH)
+                        .because(excess));
     }
 
-    /** Returns which limit is exceeded, as the end of a sentence that begins with "coherence length 65 um". */
-    private Optional<String> excess(int rows, long heapLimit, long mostSteps) {
-        Optional<String> memory = Arrays.stream(MethodUse.values())
+    /** Returns which limit is exceeded, in words as the end of a sentence that begins with "coherence length 65 um". */
+    private Optional<Excess> excess(int rows, long heapLimit, long mostSteps) {
+        Optional<Excess> memory = Arrays.stream(MethodUse.values())
                 .flatMap(use -> MemoryNeed.of(this, use, rows).excess(heapLimit).stream())
                 .findFirst();
         long steps = sampling.loopSteps(this);
         if (memory.isEmpty() && steps > mostSteps) {
-            return Optional.of(Text.format(
+            return Optional.of(Excess.ofDriver(Text.format(
                     "takes %,d steps a pixel with %s, more than %,d, beyond which graphics drivers may end loops",
-                    steps, sampling.summary(range), mostSteps));
+                    steps, sampling.summary(range), mostSteps)));
         }
-        return memory.map(excess -> Text.format("and %s in %d terms %s", bins(), expansion.terms(), excess));
+        return memory.map(excess -> new Excess(
+                Text.format("and %s in %d terms %s", bins(), expansion.terms(), excess.words()), excess.heapBytes()));
     }
 }

@@ -87,7 +87,7 @@ public final class Choices {
         try {
             all.put(setting, new Choice(value.get(), origin));
         } catch (IllegalArgumentException wrong) {
-            throw new SettingException(setting, Sentence.of(wrong.getMessage()), origin, "", wrong);
+            throw new SettingException(setting, Sentence.of(wrong.getMessage()), origin, "", null, wrong);
         }
         return new Choices(all, home);
     }
@@ -123,7 +123,7 @@ public final class Choices {
     }
 
     public SettingException complaint(Setting<?> setting, Object... problem) {
-        return new SettingException(setting, Sentence.of(problem), origin(setting), written(setting), null);
+        return new SettingException(setting, Sentence.of(problem), origin(setting), written(setting), null, null);
     }
 
     /** Runs an action. A {@link SettingException} without a source gets the source of its setting. */
@@ -138,7 +138,8 @@ public final class Choices {
             String value = has(setting) ? written(setting) : failure.value();
             // The user can change a value that the program chose at home.
             Origin place = origin(setting).place() == Origin.Place.PROGRAM ? home : origin(setting);
-            throw new SettingException(setting, failure.problem(), place, value, failure);
+            throw new SettingException(
+                    setting, failure.problem(), place, value, failure.excess().orElse(null), failure);
         }
     }
 

@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.MemoryException;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.CieTable;
@@ -35,19 +36,22 @@ final class GridBaker {
                 return false;
             }
             requireRoom(bytes);
+            return fitsMemory(shape);
+        }
+
+        private boolean fitsMemory(GridShape shape) {
             long numbers = writer.numbers(shape);
             return numbers < Integer.MAX_VALUE
                     && numbers * Float.BYTES < Runtime.getRuntime().maxMemory() / HEAP_SHARE;
         }
 
-        UsageException refusal(GridShape coarsest) {
+        RuntimeException refusal(GridShape coarsest) {
             long bytes = writer.leastBytes(coarsest);
-            String why = bytes <= most
-                    ? " or Java's memory holds no table of this surface;"
-                            + " give more of it (memory by SUNBEAM_JAVA_OPTIONS=-Xmx8g)"
-                    : " holds no table of this surface: that of the widest orders takes " + ByteSize.format(bytes)
-                            + "; give more";
-            return new UsageException("--size " + ByteSize.format(most) + why);
+            String least = " holds no table of this surface: that of the widest orders takes at least "
+                    + ByteSize.format(bytes) + "; ";
+            return bytes > most || fitsMemory(coarsest)
+                    ? new UsageException("--size " + ByteSize.format(most) + least + "give more")
+                    : new MemoryException("Java's memory" + least + "allow more with SUNBEAM_JAVA_OPTIONS=-Xmx8g");
         }
     }
 

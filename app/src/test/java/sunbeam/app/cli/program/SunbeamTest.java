@@ -23,11 +23,14 @@ import sunbeam.app.cli.program.Sunbeam.Failures;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.MemoryException;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.ShutdownHook.CancelledException;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Excess;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
@@ -53,6 +56,17 @@ final class SunbeamTest extends CommandLineFixture {
         assertThat(out.toString())
                 .containsSubsequence("Surface:", "--patch", "Method:", "--tolerance", "--help-all", "Examples:")
                 .doesNotContain("--expansion", "Exit codes:", "${");
+    }
+
+    /** The short help has the first three names only: one more illuminant adds no line to it. */
+    @Test
+    void theShortHelpDoesNotGrowWithTheIlluminants() {
+        assertThat(sunbeam("brdf-map --help")).isZero();
+        String words = out.toString().replaceAll("\\s+", " ");
+        assertThat(words).contains("D65, D50, A or another name").doesNotContain("F11", "LED-B3");
+        forgetOutput();
+        assertThat(sunbeam("brdf-map --help-all")).isZero();
+        assertThat(out.toString().replaceAll("\\s+", " ")).contains(String.join(", ", Illuminant.NAMES));
     }
 
     @Test
@@ -114,6 +128,8 @@ final class SunbeamTest extends CommandLineFixture {
                 Arguments.of(new InputException("what"), 4),
                 Arguments.of(new GraphicsException("what"), 5),
                 Arguments.of(new GraphicsException("what") {}, 5),
+                Arguments.of(new GraphicsException.BeyondLimit("what"), 10),
+                Arguments.of(new MemoryException("what"), 9),
                 Arguments.of(new OutputException("what"), 6),
                 Arguments.of(new ExecutionException(new OutputException("what")), 6),
                 Arguments.of(new CompletionException(new CompletionException(new InputException("what"))), 4));
@@ -136,6 +152,40 @@ final class SunbeamTest extends CommandLineFixture {
     }
 
     @Test
+    void aChoiceThatTheMachineCannotServeIsNoWrongCommandLine() {
+        Setting<String> setting = new Setting<>("mesh", ValueKind.text("MESH"), "Which.");
+        Choices options = Choices.at(OptionOrigin.INSTANCE).with(setting, "cube");
+        Excess memory = new Excess("need 3 GB", 4L << 30);
+
+        assertThat(reportLocated(options, new SettingException(setting, "is large").because(memory)))
+                .isEqualTo(9);
+        assertThat(reportLocated(options, new SettingException(setting, "is long").because(Excess.ofDriver("takes"))))
+                .isEqualTo(10);
+
+        assertThat(err.toString())
+                .isEqualToNormalizingNewlines("sunbeam: --mesh cube is large; allow more with"
+                        + " SUNBEAM_JAVA_OPTIONS=-Xmx4097m\nsunbeam: --mesh cube is long\n");
+    }
+
+    /** Reports a failure as a command does, which names the option that its setting has. */
+    private int reportLocated(Choices options, SettingException failure) {
+        try {
+            return options.located(() -> {
+                throw failure;
+            });
+        } catch (SettingException located) {
+            return report(located);
+        }
+    }
+
+    /** The shell's numbers for signals, which no exception has. */
+    @Test
+    void theHelpListsTheExitCodesOfSignals() {
+        assertThat(sunbeam("--help-all")).isZero();
+        assertThat(out.toString()).containsPattern("129 +the terminal").containsPattern("143 +terminated");
+    }
+
+    @Test
     void anythingElseIsABugAndSaysSo() {
         assertThat(report(new IllegalStateException("oops"))).isEqualTo(1);
         assertThat(err.toString())
@@ -145,7 +195,7 @@ final class SunbeamTest extends CommandLineFixture {
 
     @Test
     void outOfMemoryNamesTheOptionThatGivesMore() {
-        assertThat(report(new OutOfMemoryError("Java heap space"))).isEqualTo(1);
+        assertThat(report(new OutOfMemoryError("Java heap space"))).isEqualTo(9);
         assertThat(err.toString())
                 .contains("out of memory", "SUNBEAM_JAVA_OPTIONS=-Xmx")
                 .doesNotContain("bug")
