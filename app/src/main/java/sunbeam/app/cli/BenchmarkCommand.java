@@ -116,17 +116,11 @@ public final class BenchmarkCommand extends FileCommand {
                 List<String> remarks = new ArrayList<>();
                 print(page.add(methods(meter, patch, asked, remarks), remarks));
             }
-            if (json.isGiven()) {
-                Map<String, Object> report = new LinkedHashMap<>();
-                report.put("renderer", context.info().renderer());
-                report.put("size", size);
-                report.put("measured", page.numbers());
-                JsonOption.print(out(), report);
-            }
-            if (output != null) {
-                page.write(output, overwrite());
-                out().println(output);
-            }
+            Map<String, Object> report = new LinkedHashMap<>();
+            report.put("renderer", context.info().renderer());
+            report.put("size", size);
+            report.put("measured", page.numbers());
+            json.print(out(), report, output == null ? List.of() : page.write(output, overwrite()));
         }
         return ExitCode.OK.code();
     }

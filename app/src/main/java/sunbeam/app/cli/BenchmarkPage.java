@@ -139,7 +139,9 @@ final class BenchmarkPage {
         return Double.isNaN(value) ? "" : Text.format(pattern, value);
     }
 
-    void write(Path page, Overwrite overwrite) {
+    /** Writes the page, its plots and numbers; returns their files, the page first. */
+    List<Path> write(Path page, Overwrite overwrite) {
+        List<Path> written = new ArrayList<>();
         Path folder = folder(page);
         OutputFolder.create(folder);
         StringBuilder text = new StringBuilder(introduction);
@@ -151,13 +153,16 @@ final class BenchmarkPage {
             if (!drawn.isEmpty()) {
                 String patch = drawn.get(0).patch();
                 String file = patch + "-methods.png";
-                plot(patch, drawn).write(folder.resolve(file), overwrite, Map.of("Title", "error over time"));
+                written.add(
+                        plot(patch, drawn).write(folder.resolve(file), overwrite, Map.of("Title", "error over time")));
                 text.append(Text.format("%n![error over time](%s/%s)%n", folder.getFileName(), file));
             }
         }
-        AtomicFile.write(folder.resolve(NUMBERS), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers())));
+        written.add(AtomicFile.write(
+                folder.resolve(NUMBERS), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers()))));
         text.append(Text.format("%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
-        AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text));
+        written.add(0, AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text)));
+        return written;
     }
 
     private static Plot plot(String patch, List<Measurement> rows) {

@@ -5,9 +5,12 @@ import java.nio.file.Files;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.files.output.OutputException;
@@ -30,6 +33,9 @@ import sunbeam.precompute.text.Text;
 public final class CacheCommand extends ReportingCommand {
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm", Locale.ROOT);
 
+    @Mixin
+    private final JsonOption json = new JsonOption();
+
     @Option(names = "--clear", description = "Remove all tables.")
     private boolean clear;
 
@@ -47,18 +53,45 @@ public final class CacheCommand extends ReportingCommand {
     private void clear(CacheFolder folder) {
         List<CacheFolder.Entry> left = new ArrayList<>(folder.entries());
         List<CacheFolder.Entry> removed = folder.clear();
-        out().println(folder.path() + ": removed " + count(removed));
+        json.text(out()).println(folder.path() + ": removed " + count(removed));
         left.removeAll(removed);
         if (left.stream().anyMatch(entry -> Files.exists(entry.file()))) {
             throw new OutputException("cannot remove " + count(left) + " from " + folder.path()
                     + ": the folder is not yours to write to, or another program has them open; change its permissions, or"
                     + " try again later");
         }
+        report(folder, "removed", removed);
+    }
+
+    /** With {@code --json} prints files of the cache, under the name that says whether they are still there. */
+    private void report(CacheFolder folder, String name, List<CacheFolder.Entry> entries) {
+        if (!json.isGiven()) {
+            return;
+        }
+        Map<String, Object> report = new LinkedHashMap<>();
+        report.put("folder", folder.path().toString());
+        report.put("limit_bytes", folder.limit());
+        report.put(name, entries.stream().map(CacheCommand::fields).toList());
+        json.print(out(), report, List.of());
+    }
+
+    private static Map<String, Object> fields(CacheFolder.Entry entry) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("file", entry.file().toString());
+        fields.put("bytes", entry.bytes());
+        fields.put("last_used", entry.lastUsed().toString());
+        if (Files.exists(entry.file())) {
+            TableLabel label = label(entry);
+            fields.put("patch", label.patch());
+            fields.put("what", label.what());
+        }
+        return fields;
     }
 
     private void list(CacheFolder folder) {
         List<CacheFolder.Entry> entries = folder.entries();
-        PrintWriter out = out();
+        report(folder, "entries", entries);
+        PrintWriter out = json.text(out());
         out.println(folder.path() + ": " + count(entries) + " of at most " + ByteSize.format(folder.limit()));
         if (!entries.isEmpty()) {
             out.println();

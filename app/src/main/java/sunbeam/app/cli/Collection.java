@@ -77,8 +77,14 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
         boolean several = arguments.size() > 1
                 || arguments.stream().anyMatch(Surfaces::isFolder)
                 || command.hasMatchedOption(PatchOptions.TASK)
-                || collection.value(THETA_I).orElse("").contains(":");
+                || collection.isSweep();
         return Optional.of(collection).filter(one -> possible && several);
+    }
+
+    /** True if the command takes one angle of the light, and several are given; orders takes a range itself. */
+    private boolean isSweep() {
+        return value(THETA_I).orElse("").contains(":")
+                && parsed.matchedOption(THETA_I).type() != Range.class;
     }
 
     private List<String> arguments() {
@@ -106,8 +112,6 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
         List<Item> all = items();
         TaskPart task = TaskPart.parse(value(PatchOptions.TASK).orElse("1/1"));
         List<Item> items = all.subList((int) task.first(all.size()), (int) task.end(all.size()));
-        UsageException.throwIf(
-                items.isEmpty(), PatchOptions.TASK + " of " + all.size() + " surfaces is empty; give fewer parts");
         Overwrite overwrite = replaces() ? Overwrite.REPLACE : Overwrite.REFUSE;
         CollectionFolder folder = CollectionFolder.open(folder(), task, overwrite, parsed.hasMatchedOption("--resume"));
         List<ObjectNode> rows = new ArrayList<>();
@@ -192,7 +196,7 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
 
     private List<String> angles() {
         String text = value(THETA_I).orElse("");
-        if (!text.contains(":")) {
+        if (!isSweep()) {
             return List.of(text);
         }
         try {
@@ -273,7 +277,7 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
             report.put("surfaces", rows.size());
             report.put("verdict_codes", verdicts);
             report.put("files", written.stream().map(Path::toString).toList());
-            JsonOption.print(out, report);
+            out.println(JsonOption.text(JsonOption.withCommand(command(), report)));
             return;
         }
         String counts = verdicts.entrySet().stream()

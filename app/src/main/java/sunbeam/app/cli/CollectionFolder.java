@@ -48,8 +48,12 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
                     .split(" ", -1));
     private static final List<String> INSPECTED =
             List.of("/width_m /height_m /columns /rows /relief_m /roughness_m /rms_slope".split(" ", -1));
+    private static final List<String> EVALUATED = List.of(
+            "/azimuth_deg /peaks_interpolated/mean_m /peaks_interpolated/standard_error_m /peaks_at_maxima/mean_m"
+                    .split(" ", -1));
     private static final String REPORTS = "reports";
     private static final ObjectMapper JSON = new ObjectMapper();
+    private static final ObjectNode NO_SURFACE = JSON.createObjectNode();
 
     /** Creates the folder if it is missing, and checks that its table can be written; reads the reports of earlier runs to resume. */
     static CollectionFolder open(Path folder, TaskPart task, Overwrite overwrite, boolean resumes) {
@@ -140,8 +144,9 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
         List<Path> written = new ArrayList<>();
         String lines = rows.stream().map(row -> row + "\n").collect(Collectors.joining());
         AtomicFile.write(file(REPORTS, ".jsonl"), Overwrite.REPLACE, AtomicFile.StreamContent.of(lines));
-        String table =
-                CsvWriter.text(rows.stream().map(row -> cells(command, row)).toList());
+        String table = CsvWriter.text(
+                List.copyOf(cells(command, NO_SURFACE).keySet()),
+                rows.stream().map(row -> cells(command, row)).toList());
         written.add(AtomicFile.write(file("table", ".csv"), Overwrite.REPLACE, AtomicFile.StreamContent.of(table)));
         written.add(file(REPORTS, ".jsonl"));
         Map<String, Long> files = rows.stream()
@@ -172,12 +177,17 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
     private static Map<String, String> cells(String command, ObjectNode row) {
         Map<String, String> cells = new LinkedHashMap<>();
         List.of("file", "exit_code", "message")
-                .forEach(name -> cells.put(name, row.get(name).asText()));
-        Stream.concat(COLUMNS.stream(), command.equals("inspect") ? INSPECTED.stream() : Stream.empty())
+                .forEach(name -> cells.put(name, row.path(name).asText()));
+        List<String> own = switch (command) {
+            case "inspect" -> INSPECTED;
+            case "evaluate" -> EVALUATED;
+            default -> List.of();
+        };
+        Stream.concat(COLUMNS.stream(), own.stream())
                 .forEach(pointer -> cells.put(
                         pointer.substring(1).replace('/', '_'),
                         cell(row.path("report").at(pointer))));
-        cells.put("picture", row.get("picture").asText());
+        cells.put("picture", row.path("picture").asText());
         return cells;
     }
 

@@ -62,7 +62,7 @@ public final class DoctorCommand extends ReportingCommand {
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("renders", renders);
             report.put("checks", checks.stream().map(Check::report).toList());
-            JsonOption.print(out(), report);
+            json.print(out(), report, List.of());
         } else {
             checks.forEach(check -> out().println(check.text()));
         }

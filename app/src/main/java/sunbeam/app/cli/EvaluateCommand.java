@@ -68,7 +68,10 @@ public final class EvaluateCommand extends FileCommand {
     private static final double GIVEN_FACTOR = 1.2;
 
     @Mixin
-    private PatchOptions patchOptions;
+    private final PatchOptions patchOptions = PatchOptions.ofMany();
+
+    @Mixin
+    private ResumeOption resume;
 
     @Mixin
     private GratingOptions grating;
@@ -85,6 +88,7 @@ public final class EvaluateCommand extends FileCommand {
 
     @Override
     public Integer call() {
+        resume.requireMany();
         Choices choices = methodOptions.choices();
         return choices.located(() -> evaluate(choices));
     }

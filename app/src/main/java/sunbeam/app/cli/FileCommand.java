@@ -67,7 +67,7 @@ public abstract class FileCommand extends ReportingCommand {
             Map<String, String> text) {
         Map<String, StreamContent> contents = new LinkedHashMap<>();
         contents.put(".csv", csv);
-        contents.put(".json", StreamContent.of(JsonOption.text(report)));
+        contents.put(".json", StreamContent.of(JsonOption.text(json.withCommand(report))));
         contents.put(files.endings().get(0), stream -> PngWriter.write(stream, picture, text));
         json.print(out(), report, files.write(contents));
     }

@@ -89,7 +89,8 @@ public final class InspectCommand extends FileCommand {
         text.put("Title", "Inspection of " + loaded.name());
         text.put("Patch", loaded.source());
         text.put("Verdict", inspection.verdict().sentence());
-        inspection.plan().ifPresent(summary -> text.put("Plan", summary));
+        // Also --json makes the plan, but writes the same picture as without it.
+        inspection.plan().filter(summary -> explain).ifPresent(summary -> text.put("Plan", summary));
         InspectionSheet sheet = new InspectionSheet(inspection, loaded.scan(), lines.subList(1, lines.size()));
         Path place = PngWriter.write(picture, overwrite(output), sheet.draw(), text);
         Map<String, Object> fields = inspection.fields();

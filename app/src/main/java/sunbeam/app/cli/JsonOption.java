@@ -9,7 +9,9 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
@@ -26,6 +28,9 @@ public final class JsonOption {
                     + " names and units (docs/reference/report.schema.json).")
     private boolean asked;
 
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
     public boolean isGiven() {
         return asked;
     }
@@ -39,16 +44,24 @@ public final class JsonOption {
     public void print(PrintWriter out, Map<String, ?> report, List<Path> files) {
         List<String> names = files.stream().map(OutputFolder::name).toList();
         if (asked) {
-            Map<String, Object> all = new LinkedHashMap<>(report);
+            Map<String, Object> all = withCommand(report);
             all.put("files", names);
-            print(out, all);
+            out.println(text(all));
         } else {
             names.forEach(out::println);
         }
     }
 
-    public static void print(PrintWriter out, Map<String, ?> report) {
-        out.println(text(report));
+    /** Returns a report that begins with the command's name, by which docs/reference/report.schema.json knows its fields. */
+    public Map<String, Object> withCommand(Map<String, ?> report) {
+        return withCommand(command.name(), report);
+    }
+
+    public static Map<String, Object> withCommand(String command, Map<String, ?> report) {
+        Map<String, Object> all = new LinkedHashMap<>();
+        all.put("command", command);
+        all.putAll(report);
+        return all;
     }
 
     /** Returns a report as one JSON object in the map's order; infinities and NaN become strings, as JSON has no numbers for them. */

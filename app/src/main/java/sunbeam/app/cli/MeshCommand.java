@@ -7,7 +7,6 @@ import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -69,8 +68,8 @@ public final class MeshCommand extends FileCommand {
         Overwrite overwrite = overwrite(output);
         Path target = output != null ? output : Path.of(FileNames.stem(Path.of(mesh)) + ".obj");
         Choices choices = options.choices();
-        String name = target.toString().toLowerCase(Locale.ROOT);
-        boolean isGltf = name.endsWith(".glb");
+        String ending = Ending.of(target);
+        boolean isGltf = ending.equals("glb");
         check(choices, isGltf);
         AtomicFile.checkWritable(target, overwrite);
         MeshSource.Loaded read = new MeshSource(mesh, choices.get(MESH_UNIT)).load();
@@ -79,7 +78,7 @@ public final class MeshCommand extends FileCommand {
         Path written = AtomicFile.write(target, overwrite, stream -> {
             if (isGltf) {
                 MeshWriters.glb(stream, read.mesh(), maps);
-            } else if (name.endsWith(".ply")) {
+            } else if (ending.equals("ply")) {
                 MeshWriters.ply(stream, read.mesh());
             } else {
                 MeshWriters.obj(stream, read.mesh());

@@ -57,7 +57,10 @@ public final class OrdersCommand extends FileCommand {
     private static final double MOST_RESULTS = 5e5;
 
     @Mixin
-    private PatchOptions patchOptions;
+    private final PatchOptions patchOptions = PatchOptions.ofMany();
+
+    @Mixin
+    private ResumeOption resume;
 
     @Mixin
     private final SettingOptions azimuth = SettingOptions.overriding(
@@ -94,6 +97,7 @@ public final class OrdersCommand extends FileCommand {
 
     @Override
     public Integer call() {
+        resume.requireMany();
         Choices choices = light.choices().over(azimuth.choices());
         return choices.located(() -> run(choices));
     }

@@ -228,7 +228,8 @@ final class CollectionTest extends CommandLineFixture {
             color @scans --with blaze --output @report    | USAGE          | --with is for one patch
             color @scans --output a.png                   | USAGE          | --output & folder
             inspect blaze no-such-file --output @report   | UNUSABLE_INPUT | no-such-file' is neither & needs quotes
-            evaluate @scans --output @report              | UNUSABLE_INPUT | scans & folder
+            evaluate blaze --resume --output @report      | USAGE          | --resume is for several
+            precompute --patch @scans --output @r.h5      | UNUSABLE_INPUT | scans & folder
             """)
     void mistakesAreOneLine(String command, ExitCode code, String words) throws IOException {
         Files.createDirectory(folder.resolve("empty"));
@@ -236,9 +237,41 @@ final class CollectionTest extends CommandLineFixture {
     }
 
     @Test
+    void ordersAndEvaluateTakeAFolderAndAFailureIsARow() throws IOException {
+        Files.writeString(scans.resolve("a bad one.gwy"), "no scan");
+
+        assertThat(sunbeam("orders @scans blaze --theta-i 0:30:30 --wavelengths 500 --output @report"))
+                .isEqualTo(4);
+        assertThat(column("exit_code")).containsExactly("4", "0", "0");
+        assertThat(report.resolve("surfaces").toFile().list())
+                .contains("grating.png", "grating.csv", "grating.json", "blaze.csv");
+        assertThat(Files.readString(report.resolve("surfaces/blaze.json")))
+                .as("both angles are in the orders of a surface")
+                .contains("\"theta_i_deg\" : 30.0");
+
+        assertThat(sunbeam("evaluate @scans --wavelengths 500:600:50 --output @report --force"))
+                .isEqualTo(4);
+        assertThat(column("exit_code")).containsExactly("4", "0");
+        // The grating of 2 um; the steps of the angles, a hundredth of a degree, are 0.2 % of it at most.
+        assertThat(Double.parseDouble(column("peaks_interpolated_mean_m").get(1)))
+                .isCloseTo(PERIOD, within(0.002 * PERIOD));
+    }
+
+    @Test
+    void anEmptyPartIsAnEmptyTable() throws IOException {
+        assertSuccess(inspect("@scans --task 1/2"));
+
+        assertThat(Files.readAllLines(report.resolve("table-1-of-2.csv")))
+                .singleElement()
+                .asString()
+                .startsWith("file,exit_code,message,theta_i_deg");
+        assertThat(report.resolve("reports-1-of-2.jsonl")).isEmptyFile();
+        assertThat(out.toString()).startsWith("0 surfaces");
+    }
+
+    @Test
     void whatOthersOrOtherPartsWroteStays() throws IOException {
         assertSuccess(inspect("@scans --task 2/2"));
-        assertComplaint(ExitCode.USAGE, "inspect @scans --task 1/2 --output @report", "--task");
         Files.writeString(report.resolve("table.csv"), "mine");
         assertComplaint(ExitCode.OUTPUT_EXISTS, "inspect @scans --output @report", "table.csv", "--force");
         assertThat(report.resolve("table.csv")).hasContent("mine");

@@ -10,11 +10,18 @@ import com.networknt.schema.ValidationMessage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import java.util.zip.ZipFile;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Validates the JSON of every command by docs/reference/report.schema.json, which names all fields. */
@@ -34,14 +41,34 @@ final class ReportSchemaTest extends CommandLineFixture {
         return json.readTree(out.toString());
     }
 
-    private Set<ValidationMessage> mistakes(JsonNode report, String definition) throws IOException {
-        JsonNode tree =
+    private Set<ValidationMessage> mistakes(JsonNode report) throws IOException {
+        JsonNode schema =
                 json.readTree(Path.of("../docs/reference/report.schema.json").toFile());
-        JsonNode wanted =
-                json.createObjectNode().put("$ref", "#/$defs/" + definition).set("$defs", tree.get("$defs"));
         return JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012)
-                .getSchema(wanted)
+                .getSchema(schema)
                 .validate(report);
+    }
+
+    /** Returns the JSON of all files of the folder: whole files, lines, and entries of archives; no scenes. */
+    private List<JsonNode> written() throws IOException {
+        List<JsonNode> reports = new ArrayList<>();
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                String name = file.getFileName().toString();
+                if (name.endsWith(".json") && !name.endsWith("scene.json")) {
+                    reports.add(json.readTree(file.toFile()));
+                } else if (name.endsWith(".jsonl")) {
+                    for (String line : Files.readAllLines(file)) {
+                        reports.add(json.readTree(line));
+                    }
+                } else if (name.endsWith(".npz")) {
+                    try (ZipFile archive = new ZipFile(file.toFile())) {
+                        reports.add(json.readTree(archive.getInputStream(archive.getEntry("metadata.json"))));
+                    }
+                }
+            }
+        }
+        return reports;
     }
 
     private static Set<String> names(JsonNode node) {
@@ -51,54 +78,110 @@ final class ReportSchemaTest extends CommandLineFixture {
         return names;
     }
 
+    /** A command line of each kind of report, with its exit code and the number of JSON files that it writes. */
+    private static final Map<String, int[]> COMMANDS = Map.ofEntries(
+            Map.entry("inspect sinusoid --output @i.png", new int[] {0, 0}),
+            Map.entry("color blaze --angles -40:40:8 --output @c.png", new int[] {0, 1}),
+            Map.entry("brdf-map blaze --size 33 --certify 2 --tolerance 0.05 --output @m.png", new int[] {0, 0}),
+            Map.entry("evaluate blaze --azimuth 0 --wavelengths 500:600:10 --output @e", new int[] {0, 1}),
+            Map.entry("orders blaze --wavelengths 500:600:50 --output @o", new int[] {0, 1}),
+            Map.entry(
+                    "reflectance --patch blaze --directions @directions.csv --certify 1 --tolerance 0.05 --output @r.csv",
+                    new int[] {0, 0}),
+            Map.entry(
+                    "sample sinusoid --count 40 --tolerance 0.05 --coherence-length 4um --output @s.npz",
+                    new int[] {0, 1}),
+            Map.entry("precompute --patch sinusoid --tolerance 0.1 --output @p.h5", new int[] {0, 0}),
+            Map.entry("precompute --patch sinusoid --picture @p.png", new int[] {0, 0}),
+            Map.entry(
+                    "benchmark --patch lamellar --size 16 --samples 4 --coherence-length 4um --output @b.md",
+                    new int[] {0, 0}),
+            Map.entry("render @scene.json --size 48x36 --output @v.png", new int[] {0, 0}),
+            Map.entry(
+                    "export sinusoid --format npz --samples 1 --tolerance 0.05 --coherence-length 8um --output @x.npz",
+                    new int[] {0, 1}),
+            Map.entry(
+                    "export sinusoid --format glsl --samples 0 --tolerance 0.05 --coherence-length 4um --size 1MB --output @x",
+                    new int[] {0, 1}),
+            Map.entry("figures --only 2.11 --quick --output @f", new int[] {0, 1}),
+            Map.entry("mesh plane --output @plane.obj", new int[] {0, 0}),
+            Map.entry("cache", new int[] {0, 0}),
+            Map.entry("cache --clear", new int[] {0, 0}),
+            Map.entry("compare @photo.png @scene.json --output @compared.png", new int[] {0, 0}),
+            Map.entry("inspect blaze @directions.csv --output @all", new int[] {4, 2}),
+            Map.entry("color blaze --theta-i 0:20:20 --angles -40:40:40 --output @all", new int[] {0, 4}),
+            Map.entry("brdf-map blaze sinusoid --size 16 --tolerance 0.05 --output @all", new int[] {0, 2}),
+            Map.entry("orders blaze sinusoid --wavelengths 500:600:50 --output @all", new int[] {0, 4}),
+            Map.entry(
+                    "evaluate blaze @directions.csv --azimuth 0 --wavelengths 500:600:50 --output @all",
+                    new int[] {4, 3}));
+
+    static Set<String> commands() {
+        return new TreeSet<>(COMMANDS.keySet());
+    }
+
     @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "inspect disc --output @i.png",
-                "color blaze --angles -40:40:8 --output @c.png",
-                "brdf-map blaze --size 33 --certify 2 --tolerance 0.05 --output @m.png",
-                "evaluate blaze --azimuth 0 --wavelengths 500:600:10 --output @e",
-                "orders blaze --wavelengths 500:600:50 --output @o",
-                "reflectance --patch blaze --directions @directions.csv --certify 1 --tolerance 0.05 --output @r.csv",
-                "sample blaze --count 40 --tolerance 0.05 --output @s.npz",
-                "precompute --patch sinusoid --tolerance 0.1 --output @p.h5",
-                "precompute --patch sinusoid --picture @p.png",
-                "benchmark --patch lamellar --size 16 --samples 4 --coherence-length 4um",
-                "render @scene.json --size 48x36 --output @v.png",
-                "export sinusoid --format npz --samples 1 --tolerance 0.05 --coherence-length 8um --output @x.npz",
-                "figures --only 2.11 --quick --output @f",
-                "mesh plane --output @plane.obj"
-            })
-    void theReportOfACommandIsAsTheSchemaSays(String words) throws IOException {
+    @MethodSource("commands")
+    void standardOutputAndFilesAreAsTheSchemaSays(String words) throws IOException {
+        if (words.startsWith("compare")) {
+            assertSuccess(sunbeam("render @scene.json --size 48x36 --output @photo.png"));
+        }
         String[] parts = words.split(" ", 2);
 
-        JsonNode report = report(0, parts[0] + " --json " + parts[1]);
+        JsonNode report =
+                report(COMMANDS.get(words)[0], parts[0] + " --json" + (parts.length > 1 ? " " + parts[1] : ""));
 
-        assertThat(mistakes(report, parts[0])).isEmpty();
+        assertThat(report.at("/command").asText()).isEqualTo(parts[0]);
+        assertThat(report.has("files")).isTrue();
+        assertThat(mistakes(report)).isEmpty();
         assertThat(names(report)).allMatch(name -> name.matches("[a-z][a-z0-9]*(_[a-z0-9]+)*|[XYZ]"));
+        List<JsonNode> written = written();
+        assertThat(written).hasSize(COMMANDS.get(words)[1]);
+        for (JsonNode file : written) {
+            assertThat(mistakes(file)).isEmpty();
+        }
     }
 
+    /** Doctor depends on the machine: its exit code and its checks are SmallCommandsTest's. */
     @Test
-    void theReportOfAComparisonIsAsTheSchemaSays() throws IOException {
-        report(0, "render --json @scene.json --size 48x36 --output @photo.png");
-        assertThat(mistakes(report(0, "compare --json @photo.png @scene.json --output @compared.png"), "compare"))
-                .isEmpty();
-    }
-
-    @Test
-    void linesOfACollectionAreAsTheSchemaSays() throws IOException {
-        JsonNode summary = report(4, "inspect --json blaze @directions.csv --output @all");
-
-        assertThat(mistakes(summary, "collection")).isEmpty();
-        for (String line : Files.readAllLines(folder.resolve("all/reports.jsonl"))) {
-            assertThat(mistakes(json.readTree(line), "collection_row")).isEmpty();
+    void everyCommandWithJsonIsHere() {
+        assertThat(sunbeam("--help")).isZero();
+        List<String> all = Pattern.compile("(?m)^  ([a-z-]+)  ")
+                .matcher(out.toString().replaceFirst("(?s).*Commands:", ""))
+                .results()
+                .map(match -> match.group(1))
+                .filter(name -> !name.equals("help"))
+                .toList();
+        assertThat(all).contains("render", "cache").hasSizeGreaterThan(15);
+        for (String command : all) {
+            forgetOutput();
+            assertThat(sunbeam(command + " --help-all")).isZero();
+            if (out.toString().contains("--json") && !command.equals("doctor")) {
+                assertThat(commands()).as("a line for it").anyMatch(words -> words.split(" ", 2)[0].equals(command));
+            }
         }
     }
 
     @Test
-    void aFieldThatTheSchemaDoesNotHaveIsNotValid() throws IOException {
-        JsonNode report =
-                json.readTree("{\"mesh\": \"plane\", \"vertices\": 4, \"triangles\": 2, \"files\": [], \"x_cm\": 1}");
-        assertThat(mistakes(report, "mesh")).hasSize(1);
+    void theReportOfDoctorIsAsTheSchemaSays() throws IOException {
+        forgetOutput();
+        sunbeam("doctor --json");
+        assertThat(mistakes(json.readTree(out.toString()))).isEmpty();
+    }
+
+    /** The root of the schema refuses what no command prints, and a report without one of its fields. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "{}",
+                "[1]",
+                "{\"anything\": 1}",
+                "{\"command\": \"mesh\"}",
+                "{\"command\": \"view\", \"files\": []}",
+                "{\"command\": \"inspect\", \"mesh\": \"plane\", \"vertices\": 4, \"triangles\": 2, \"sides_m\": [], \"files\": []}",
+                "{\"command\": \"mesh\", \"mesh\": \"plane\", \"vertices\": 4, \"triangles\": 2, \"sides_m\": [], \"files\": [], \"x_cm\": 1}"
+            })
+    void otherJsonIsNoReport(String text) throws IOException {
+        assertThat(mistakes(json.readTree(text))).isNotEmpty();
     }
 }

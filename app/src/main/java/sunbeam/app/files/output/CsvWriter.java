@@ -19,12 +19,17 @@ public final class CsvWriter {
 
     /** Returns a table of at least one row, all with the same columns, quoted where necessary. */
     public static String text(List<? extends Map<String, ?>> rows) {
+        return text(List.copyOf(rows.get(0).keySet()), rows);
+    }
+
+    /** Returns a table, perhaps without rows, all of which have these columns in this order. */
+    public static String text(List<String> columns, List<? extends Map<String, ?>> rows) {
         StringWriter text = new StringWriter();
         var csv = de.siegmar.fastcsv.writer.CsvWriter.builder()
                 .lineDelimiter(LineDelimiter.LF)
                 .bufferSize(0)
                 .build(text);
-        csv.writeRecord(rows.get(0).keySet());
+        csv.writeRecord(columns);
         rows.forEach(row ->
                 csv.writeRecord(row.values().stream().map(String::valueOf).toList()));
         return text.toString();

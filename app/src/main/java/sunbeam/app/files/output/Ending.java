@@ -27,6 +27,22 @@ public enum Ending {
         this.endings = endings;
     }
 
+    /** Returns what follows the last dot of a file's name, in lower case; empty without a dot. */
+    public static String of(Path file) {
+        String name = String.valueOf(file.getFileName());
+        int dot = name.lastIndexOf('.');
+        return dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
+    }
+
+    /** True if the file's name has an ending of this kind. */
+    public boolean isOf(Path file) {
+        return known().contains(of(file));
+    }
+
+    private List<String> known() {
+        return List.of(endings.split(" ", -1));
+    }
+
     /** Refuses an ending that other programs would not read as this content. A name of null, standard output and devices need none. */
     public void require(String option, Path named) {
         if (named == null
@@ -35,14 +51,11 @@ public enum Ending {
                 || (Files.exists(named) && !Files.isRegularFile(named))) {
             return;
         }
-        String name = named.getFileName().toString();
-        int dot = name.lastIndexOf('.');
-        String ending = dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
-        List<String> known = List.of(endings.split(" ", -1));
-        if (!known.contains(ending)) {
+        if (!isOf(named)) {
+            List<String> known = known();
             throw new UsageException(option + " " + named + " would be " + what + ", which its name does not say; "
-                    + (ending.isEmpty()
-                            ? "call it " + name + "." + known.get(0)
+                    + (of(named).isEmpty()
+                            ? "call it " + named.getFileName() + "." + known.get(0)
                             : "end it with ." + String.join(" or .", known)));
         }
     }

@@ -1,7 +1,6 @@
 package sunbeam.app.files.output;
 
 import java.nio.file.Path;
-import java.util.Locale;
 import sunbeam.precompute.color.Srgb;
 
 /** Writer of linear colors as .npy or .exr ({@link Ending#LINEAR}). */
@@ -14,7 +13,7 @@ public final class LinearFile {
 
     /** Returns {@code height x width x 3} CIE XYZ, NaN without surface, for {@code .npy}; linear Rec. 709 with alpha for {@code .exr}. */
     public static AtomicFile.StreamContent of(Path file, float[] xyz, int width, int height) {
-        return file.toString().toLowerCase(Locale.ROOT).endsWith(".exr")
+        return Ending.of(file).equals("exr")
                 ? stream -> ExrFile.ofFloats(width, height, rgba(xyz), COMMENTS).write(stream)
                 : stream -> NpyWriter.write(stream, xyz, height, width, 3);
     }

@@ -140,8 +140,8 @@ public final class Plot {
     }
 
     /** Writes the picture as PNG, whole or not at all; the text is that of {@link PngWriter}. */
-    public void write(Path target, Overwrite overwrite, Map<String, String> text) {
-        PngWriter.write(target, overwrite, draw(), text);
+    public Path write(Path target, Overwrite overwrite, Map<String, String> text) {
+        return PngWriter.write(target, overwrite, draw(), text);
     }
 
     private Plot add(String name, double[] x, double[] y, XYLineAndShapeRenderer renderer) {
