@@ -35,6 +35,7 @@ import sunbeam.precompute.text.Text;
  * @param number number in the thesis, such as 5.10 or table-4.1
  * @param thesis what the thesis shows or claims
  * @param ours what Sunbeam's pictures show beside or instead of that
+ * @param checks what the thesis says of the figure, and rules for it, stated before the pictures were measured
  * @param patches patches for which each picture is drawn: blaze, elaphe, xenopeltis; null if the commands name their own
  * @param compared true if all maps of a patch use the exposure of its first map and are compared with it
  */
@@ -43,7 +44,7 @@ record Figure(
         String title,
         String thesis,
         String ours,
-        Measure.Check check,
+        List<Check> checks,
         List<String> patches,
         boolean compared,
         List<Picture> pictures) {
@@ -112,6 +113,10 @@ record Figure(
         return all.stream()
                 .filter(figure -> numbers.isEmpty() || numbers.contains(figure.number()))
                 .toList();
+    }
+
+    Check.Verdict verdict(List<Drawing> drawings) {
+        return Check.Verdict.of(checks, drawings);
     }
 
     String heading() {

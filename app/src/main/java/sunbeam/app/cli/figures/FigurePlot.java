@@ -55,8 +55,8 @@ enum FigurePlot {
         Map<String, String> text = Map.of("Title", drawing.picture().label());
         plot.write(drawing.file(), Overwrite.REPLACE, text);
         if (!numbers.isEmpty()) {
-            AtomicFile.write(
-                    drawing.beside(".json"), Overwrite.REPLACE, AtomicFile.StreamContent.of(JsonOption.text(numbers)));
+            String report = JsonOption.text(JsonOption.withCommand("figures", Map.of("numbers", numbers)));
+            AtomicFile.write(drawing.beside(".json"), Overwrite.REPLACE, AtomicFile.StreamContent.of(report));
         }
     }
 
@@ -163,7 +163,7 @@ enum FigurePlot {
         double[] values = new double[compared.size()];
         Arrays.setAll(terms, i -> Double.parseDouble(compared.get(i).picture().name()));
         Arrays.setAll(values, i -> Measure.error(compared.get(i), results.get(0)));
-        Plot.Axis errors = Plot.Axis.logarithmic(Measure.ERROR.toString());
+        Plot.Axis errors = Plot.Axis.logarithmic("error of the light");
         return new Plot(new Plot.Frame("Taylor terms", Plot.Axis.linear("terms"), errors, WIDTH, HEIGHT))
                 .points("error", terms, values);
     }

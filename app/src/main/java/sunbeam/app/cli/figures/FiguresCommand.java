@@ -101,11 +101,14 @@ public final class FiguresCommand extends FileCommand {
         List<Map<String, Object>> verdicts = new ArrayList<>();
         List<List<String>> numbers = new ArrayList<>();
         drawings.forEach((figure, own) -> {
-            figure.check().verdict(own).ifPresent(verdict -> {
-                json.text(out()).println(figure.number() + " " + verdict);
-                verdicts.add(new TreeMap<>(
-                        Map.of("figure", figure.number(), "agrees", verdict.agrees(), "measured", verdict.numbers())));
-            });
+            Check.Verdict verdict = figure.verdict(own);
+            json.text(out()).println(figure.number() + " " + verdict);
+            Map<String, Object> fields = new LinkedHashMap<>();
+            fields.put("figure", figure.number());
+            fields.put("agrees", verdict.agrees().orElse(null));
+            fields.put("measured", verdict.measured());
+            fields.put("missing", verdict.missing());
+            verdicts.add(fields);
             own.forEach(drawing -> numbers.addAll(drawing.numbers()));
         });
         numbers.forEach(row ->
@@ -191,7 +194,7 @@ public final class FiguresCommand extends FileCommand {
         StringBuilder html =
                 new StringBuilder(quick ? "<p>Drawn with --quick: small pictures, coarse responses.</p>\n" : "");
         drawings.forEach((figure, own) -> {
-            String check = figure.check().verdict(own).map(String::valueOf).orElse("a picture or a number is missing");
+            String check = figure.verdict(own).toString();
             html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p><b>Thesis:</b> ");
             html.append(escape(figure.thesis())).append("<br><b>Here:</b> ").append(escape(figure.ours()));
             html.append("<br><b>Check:</b> ").append(escape(check)).append("</p>\n");

@@ -11,10 +11,10 @@ import java.nio.FloatBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
 import java.util.function.IntToDoubleFunction;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.app.files.input.ImageFile;
@@ -23,7 +23,7 @@ import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.text.Text;
+import sunbeam.precompute.numerics.Quantiles;
 
 /** Quantity that a {@link Check} measures in a picture, or in the file of numbers beside it. */
 enum Measure {
@@ -34,16 +34,32 @@ enum Measure {
     VARIETY_OF_HUES("variety of hues"),
     LIGHT_ON_THE_LEFT("share of light on the left"),
     LIGHT_ALONG_X("share of light along x"),
+    BRIGHT_SHARE("share of bright pixels"),
+    SPECTRUM("b* of the first order, 550 to 700 nm less 400 to 500 nm"),
     MEDIAN_DIFFERENCE("median CIEDE2000"),
     DIFFERENCE("95th percentile of CIEDE2000"),
-    ERROR("error of the light"),
+    CHANGE_OF_COLORS("95th percentile of the distance in a* and b*"),
     WIDTH("width of the maximum in degrees"),
+    CONTRAST("first order over the light half-way to it"),
     NUMBER("number"),
-    DEVIATION("relative deviation from the thesis");
+    DEVIATION("relative deviation from the thesis"),
+    DEVIATION_IN_SPREADS("deviation of the mean in standard deviations of the thesis"),
+    RATIO_OF_VARIANCES("ratio of variances");
 
     private static final Region EVERYWHERE = (x, y) -> true;
     /** Radius of the mirror direction's neighborhood in a map whose radius is 1. */
     private static final double NEAR = 0.03;
+    /** Least sine of a visible first order: 380 nm over 2.5 um, the widest of the three periods. */
+    private static final double FIRST_ORDER = 0.152;
+    /** Period of the gratings in figures 4.5 and 4.6, nanometers. */
+    private static final double PERIOD = 2500;
+    /** Linear luminance of a bright pixel relative to the display's white. */
+    private static final double BRIGHT = 0.1;
+    /** Wavelength of the response of figure 4.5, nanometers. */
+    private static final double WAVELENGTH = 500;
+
+    private static final String MEAN = "mean_nm";
+    private static final String VARIANCE = "variance_nm2";
 
     private final String label;
 
@@ -80,6 +96,20 @@ enum Measure {
                     .toArray();
         }
 
+        /** Returns the light in the direction of the first order over that in the direction of half its sine. */
+        double contrast() {
+            return at(WAVELENGTH / PERIOD) / at(WAVELENGTH / PERIOD / 2);
+        }
+
+        private double at(double sine) {
+            double angle = Math.toDegrees(Math.asin(sine));
+            return values[
+                    IntStream.range(0, angles.length)
+                            .boxed()
+                            .min(Comparator.comparingDouble(i -> Math.abs(angles[i] - angle)))
+                            .orElseThrow()];
+        }
+
         double width() {
             int top = Arrays.stream(values).boxed().toList().indexOf(1.0);
             int left = top;
@@ -104,26 +134,51 @@ enum Measure {
         return switch (this) {
             case CHROMA -> chroma(drawing, EVERYWHERE);
             case CHROMA_IN_THE_MIDDLE -> chroma(drawing, (x, y) -> Math.hypot(x, y) < NEAR);
-            case CHROMA_ON_THE_RIGHT -> chroma(drawing, (x, y) -> x > NEAR);
+            case CHROMA_ON_THE_RIGHT ->
+                colors(drawing, (x, y) -> x > NEAR && Math.hypot(x, y) < 1)
+                        .mapToDouble(Measure::chroma)
+                        .average()
+                        .orElse(0);
             case CHROMA_OF_THE_LIGHT ->
                 sum(drawing, EVERYWHERE, rgb -> luminance(rgb) * chroma(rgb)) / light(drawing, EVERYWHERE);
             case VARIETY_OF_HUES -> varietyOfHues(drawing);
             case LIGHT_ON_THE_LEFT ->
                 light(drawing, (x, y) -> x < -NEAR) / light(drawing, (x, y) -> Math.abs(x) > NEAR);
             case LIGHT_ALONG_X ->
-                light(drawing, (x, y) -> Math.abs(x) > Math.max(NEAR, Math.abs(y)))
-                        / light(drawing, (x, y) -> Math.max(Math.abs(x), Math.abs(y)) > NEAR);
+                light(drawing, (x, y) -> Math.hypot(x, y) > FIRST_ORDER && Math.abs(x) > Math.abs(y))
+                        / light(drawing, (x, y) -> Math.hypot(x, y) > FIRST_ORDER);
+            case BRIGHT_SHARE ->
+                colors(drawing, EVERYWHERE)
+                                .filter(rgb -> luminance(rgb) > BRIGHT)
+                                .count()
+                        / (double) colors(drawing, EVERYWHERE).count();
+            case SPECTRUM -> meanB(drawing, 550, 700) - meanB(drawing, 400, 500);
             case MEDIAN_DIFFERENCE -> difference(drawing.file(), base.file()).median();
             case DIFFERENCE -> difference(drawing.file(), base.file()).high();
-            case ERROR -> has(drawing, ".npy") && has(base, ".npy") ? error(drawing, base) : Double.NaN;
+            case CHANGE_OF_COLORS -> changeOfColors(drawing, base);
             case WIDTH -> has(drawing, ".csv") ? Response.read(drawing).width() : Double.NaN;
+            case CONTRAST -> has(drawing, ".csv") ? Response.read(drawing).contrast() : Double.NaN;
             case NUMBER -> number(drawing, pointer);
-            case DEVIATION ->
-                drawing.picture().numbers().entrySet().stream()
-                        .mapToDouble(entry -> Math.abs(number(drawing, entry.getKey()) / entry.getValue() - 1))
-                        .findFirst()
-                        .orElseThrow();
+            case DEVIATION -> Math.abs(ratio(drawing, MEAN) - 1);
+            case DEVIATION_IN_SPREADS ->
+                Math.abs(number(drawing, thesis(drawing, MEAN).getKey())
+                                - thesis(drawing, MEAN).getValue())
+                        / Math.sqrt(thesis(drawing, VARIANCE).getValue());
+            case RATIO_OF_VARIANCES -> Math.max(ratio(drawing, VARIANCE), 1 / ratio(drawing, VARIANCE));
         };
+    }
+
+    /** Returns the thesis's number of a kind, and where ours is. */
+    private static Map.Entry<String, Double> thesis(Figure.Drawing drawing, String kind) {
+        return drawing.picture().numbers().entrySet().stream()
+                .filter(number -> number.getKey().endsWith(kind))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static double ratio(Figure.Drawing drawing, String kind) {
+        Map.Entry<String, Double> thesis = thesis(drawing, kind);
+        return number(drawing, thesis.getKey()) / thesis.getValue();
     }
 
     private static boolean has(Figure.Drawing drawing, String ending) {
@@ -153,6 +208,29 @@ enum Measure {
         double a = sum(drawing, EVERYWHERE, rgb -> CieLab.ofSrgb(rgb).a());
         double b = sum(drawing, EVERYWHERE, rgb -> CieLab.ofSrgb(rgb).b());
         return 1 - Math.hypot(a, b) / sum(drawing, EVERYWHERE, Measure::chroma);
+    }
+
+    private static double changeOfColors(Figure.Drawing drawing, Figure.Drawing base) {
+        int[] ours = colors(drawing, EVERYWHERE).toArray();
+        int[] others = colors(base, EVERYWHERE).toArray();
+        double[] distances = IntStream.range(0, others.length)
+                .filter(i -> (ours[i] | others[i]) != 0)
+                .mapToDouble(i -> {
+                    CieLab color = CieLab.ofSrgb(ours[i]);
+                    CieLab other = CieLab.ofSrgb(others[i]);
+                    return Math.hypot(color.a() - other.a(), color.b() - other.b());
+                })
+                .toArray();
+        return distances.length == 0 ? 0 : Quantiles.of(distances, 0.95);
+    }
+
+    /** Returns the mean b* (CIELAB) where the first orders of a period along x have these wavelengths in nanometers. */
+    private static double meanB(Figure.Drawing drawing, double from, double to) {
+        Region region = (x, y) -> Math.abs(x) > from / PERIOD && Math.abs(x) < to / PERIOD && Math.abs(y) < NEAR;
+        return colors(drawing, region)
+                .mapToDouble(rgb -> CieLab.ofSrgb(rgb).b())
+                .average()
+                .orElse(Double.NaN);
     }
 
     private static double light(Figure.Drawing drawing, Region region) {
@@ -186,6 +264,7 @@ enum Measure {
                 .map(pixel -> image.getRGB(pixel % width, pixel / width) & 0xffffff);
     }
 
+    /** Returns the sum of the errors of Y over the sum of Y, of two linear maps. */
     static double error(Figure.Drawing drawing, Figure.Drawing base) {
         FloatBuffer ours = linear(drawing);
         FloatBuffer exact = linear(base);
@@ -228,70 +307,6 @@ enum Measure {
             return unit * number.asDouble(Double.NaN);
         } catch (IOException failure) {
             throw InputException.of(file, failure);
-        }
-    }
-
-    /**
-     * Measurement of a figure's pictures, and the rule by which the thesis's claim holds.
-     *
-     * @param of pictures to measure, each as patch, hyphen, name and, for a number, a JSON pointer
-     * @param to picture to compare with; null for none
-     * @param rule {@code ascending}, {@code descending}, or limits such as {@code < 1}: one for all values or one for each
-     */
-    record Check(Measure measure, List<String> of, String to, String rule) {
-        /** Least ratio of neighbors that ascend or descend: measured at 96 and 256 pixels, a value differs by less. */
-        private static final double STEP = 1.05;
-
-        record Verdict(boolean agrees, String numbers) {
-            @Override
-            public String toString() {
-                return (agrees ? "agrees" : "differs") + ": " + numbers;
-            }
-        }
-
-        Optional<Verdict> verdict(List<Figure.Drawing> drawings) {
-            Figure.Drawing base = to == null ? null : find(drawings, to).orElse(null);
-            if (to != null && base == null) {
-                return Optional.empty();
-            }
-            double[] values = of.stream()
-                    .mapToDouble(name -> find(drawings, name)
-                            .map(drawing -> measure.of(drawing, pointer(name), base))
-                            .orElse(Double.NaN))
-                    .toArray();
-            if (Arrays.stream(values).anyMatch(Double::isNaN)) {
-                return Optional.empty();
-            }
-            String numbers = IntStream.range(0, values.length)
-                    .mapToObj(i -> of.get(i).replaceFirst("/.*", "") + Text.format(" %.3g", values[i]))
-                    .collect(Collectors.joining(", "));
-            String from = to == null ? "" : " from " + to;
-            return Optional.of(new Verdict(holds(values), measure + from + ": " + numbers + " (" + rule + ")"));
-        }
-
-        private static Optional<Figure.Drawing> find(List<Figure.Drawing> drawings, String name) {
-            String picture = name.replaceFirst("/.*", "");
-            return drawings.stream()
-                    .filter(drawing -> drawing.name().equals(picture) && Files.isRegularFile(drawing.file()))
-                    .findFirst();
-        }
-
-        private static String pointer(String name) {
-            return name.contains("/") ? name.substring(name.indexOf('/')) : "";
-        }
-
-        private boolean holds(double[] values) {
-            String[] limits = rule.split(", ", -1);
-            return IntStream.range(0, values.length).allMatch(i -> switch (rule) {
-                case "ascending" -> i == 0 || values[i] > STEP * values[i - 1];
-                case "descending" -> i == 0 || STEP * values[i] < values[i - 1];
-                default -> isWithin(limits[limits.length == 1 ? 0 : i], values[i]);
-            });
-        }
-
-        private static boolean isWithin(String limit, double value) {
-            double number = Double.parseDouble(limit.substring(2));
-            return limit.startsWith("<") ? value < number : value > number;
         }
     }
 }

@@ -3,6 +3,8 @@ package sunbeam.app.cli.figures;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -135,19 +137,37 @@ class FiguresCommandTest extends CommandLineFixture {
         // The gray of 100 nm lies 26 from that of 1 nm in lightness, those of 5 and 10 nm are equal to it.
         assertThat(out.toString())
                 .containsPattern(
-                        "5\\.5 agrees: 95th percentile of CIEDE2000 from blaze-1nm: blaze-10nm 0\\.00, blaze-100nm 2")
+                        "'10 nm lose nothing, 100 nm do' holds: 95th percentile of CIEDE2000 from blaze-1nm: blaze-10nm 0\\.00, blaze-100nm 2")
                 .contains(
-                        "5.6 differs: 95th percentile of CIEDE2000 from elaphe-1nm: elaphe-5nm 0.00, elaphe-10nm 0.00 (< 2.3, > 2.3)");
-        assertThat(page()).contains("<b>Check:</b> differs: 95th percentile");
+                        "5.6 differs: '5 nm lose nothing, 10 nm do' fails: 95th percentile of CIEDE2000 from elaphe-1nm:"
+                                + " elaphe-5nm 0.00, elaphe-10nm 0.00 (< 2.3, > 2.3)");
+        assertThat(page()).contains("<b>Check:</b> differs: '5 nm lose");
     }
 
     /** The program of this test writes none of the files that plots and checks of 4.5 and 5.11 read. */
     @Test
-    void withoutResultsAPlotAndAVerdictAreLeftOut() throws IOException {
+    void withoutResultsAPlotIsLeftOutAndAFigureIsNotDecided() throws IOException {
         assertThat(figures("--only 4.5,5.11 --size 24")).isZero();
         assertThat(folder.resolve("5.11-blaze-errors.png")).doesNotExist();
         assertThat(folder.resolve("4.5-relief.png")).doesNotExist();
-        assertThat(page()).contains("a picture or a number is missing");
+        assertThat(page()).contains("not decided: 'the more, the sharper' is open", "; missing: 1, 2, 3, 7<");
+    }
+
+    /** Of Table 4.1 only one row is there, and its variance is twenty times the thesis's. */
+    @Test
+    void aRuleThatFailsDecidesWithoutTheMissingNumbers() throws IOException {
+        Files.writeString(
+                folder.resolve("table-4.1-elaphe.json"),
+                "{\"peaks_at_maxima\": {\"mean_m\": 1144.11e-9, \"variance_m2\": 3e-18}}");
+
+        assertThat(figures("--only table-4.1 --json")).isZero();
+
+        JsonNode verdict = new ObjectMapper().readTree(out.toString()).at("/verdicts/0");
+        assertThat(verdict.at("/agrees").isBoolean()).isTrue();
+        assertThat(verdict.at("/agrees").booleanValue()).isFalse();
+        assertThat(verdict.at("/measured").textValue())
+                .startsWith("'same variance' fails: ratio of variances: elaphe 20.0 (< 2.46); 'same mean' is open");
+        assertThat(verdict.at("/missing")).extracting(JsonNode::textValue).contains("blaze", "pq-elaphe");
     }
 
     @Test
