@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -17,6 +16,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.MemoryException;
 import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.errors.Comparison;
@@ -52,7 +52,6 @@ public final class SampleCommand extends FileCommand {
     private static final int HEAP_DIVISOR = 2;
     // Copies of all rows that are in memory at once: the HDF5 library takes arrays of arrays, and copies them.
     private static final int HDF5_COPIES = 3;
-    private static final Pattern HDF5 = Pattern.compile("\\.(h5|hdf5|he5)$", Pattern.CASE_INSENSITIVE);
 
     @Mixin
     private final PatchOptions patchOptions = PatchOptions.ofArgument();
@@ -123,7 +122,7 @@ public final class SampleCommand extends FileCommand {
         }
         TaskPart part = TaskPart.parse(task);
         Ending.ROWS.require("--output", output);
-        boolean hdf5 = HDF5.matcher(output.toString()).find();
+        boolean hdf5 = Ending.HDF5.isOf(output);
         int rows = rows(part);
         AtomicFile.checkWritable(output, overwrite());
         requireRoom(rows, hdf5);
@@ -134,6 +133,8 @@ public final class SampleCommand extends FileCommand {
         TableMethod method = new TableMethod(choices.get(MethodSettings.TOLERANCE), GaussianArea.of(choices));
         ColorTablePlan plan =
                 method.plan(setup.surface(), VisibleRange.all()).colorTable().orElseThrow();
+        err().println("plan: " + plan.plan().summary() + "; " + rows + " rows");
+        err().flush();
         PowerSpectrum spectrum = PowerSpectrum.of(
                 setup.fourier(plan.spectrum().orElseThrow()), new ErrorBudget(plan.tolerance()).powerBasis());
         Optional<Certificate> certificate;
@@ -147,10 +148,9 @@ public final class SampleCommand extends FileCommand {
             certificate =
                     certify.count().map(places -> certified(sampled, setup.exact(method), first, rows, places, method));
             certificate.ifPresent(stated -> made.put("error_beside_reference", JsonOption.fields(stated)));
-            ErrorStatistics difference =
-                    channels == RowKind.XYZ ? sampled.differenceFromSums(first, rows) : ErrorStatistics.of();
-            made.put("error_beside_sums_over_wavelengths", JsonOption.fields(difference));
-            SampleRows.RowFile file = new SampleRows.RowFile(first, rows, columns, JsonOption.text(made));
+            made.put("error_beside_sums_over_wavelengths", JsonOption.fields(differenceFromSums(sampled, first, rows)));
+            SampleRows.RowFile file =
+                    new SampleRows.RowFile(first, rows, columns, JsonOption.text(json.withCommand(made)));
             if (hdf5) {
                 AtomicFile.writeFile(output, overwrite(), file::writeHdf5);
             } else {
@@ -161,6 +161,16 @@ public final class SampleCommand extends FileCommand {
         json.print(out, made, List.of(output));
         return CertifyOption.judge(certificate, plan.plan(), choices, json.text(out), err())
                 .code();
+    }
+
+    private ErrorStatistics differenceFromSums(SampleRows sampled, long first, int rows) {
+        if (channels == RowKind.SPECTRAL) {
+            return ErrorStatistics.of();
+        }
+        int checked = Math.min(rows, SampleRows.CHECKED_ROWS);
+        try (Progress checks = environment().progress().start("Sums over wavelengths", checked)) {
+            return sampled.differenceFromSums(first, checked, checks);
+        }
     }
 
     private int rows(TaskPart part) {
@@ -177,11 +187,11 @@ public final class SampleCommand extends FileCommand {
         long bytes = SampleRows.RowFile.bytes(rows);
         long batch = SampleRows.RowFile.bytes(Math.min(rows, SampleRows.RowFile.BATCH));
         long heap = Runtime.getRuntime().maxMemory() / HEAP_DIVISOR;
-        UsageException.throwIf(
-                batch + (hdf5 ? HDF5_COPIES * bytes : 0) > heap,
-                "--count " + count + ": rows of " + ByteSize.format(bytes) + " as HDF5 take "
-                        + ByteSize.format(HDF5_COPIES * bytes) + " of memory, and " + ByteSize.format(heap)
-                        + " are there for them; give parts by --task, or an .npz");
+        if (batch + (hdf5 ? HDF5_COPIES * bytes : 0) > heap) {
+            throw new MemoryException("--count " + count + ": rows of " + ByteSize.format(bytes) + " as HDF5 take "
+                    + ByteSize.format(HDF5_COPIES * bytes) + " of memory, and " + ByteSize.format(heap)
+                    + " are there for them; give parts by --task, or an .npz");
+        }
         AtomicFile.requireRoom(output, bytes, "it takes", "give fewer rows");
     }
 

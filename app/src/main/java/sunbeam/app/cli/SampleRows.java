@@ -32,7 +32,7 @@ import sunbeam.precompute.spectrum.PowerSpectrum;
 final class SampleRows {
     private static final int CHANNELS = 3;
     // Number of first rows of a file whose colors are compared with direct sums over wavelengths.
-    private static final int CHECKED_ROWS = 500;
+    static final int CHECKED_ROWS = 100;
     // Values of |w|, relative to the largest possible, at which each cell is evaluated for its weight.
     private static final double[] DEPTHS = {0.95, 0.7, 0.4};
     // Least standard deviation of an order, in sides of a cell: narrower ones would be missed between cell centers.
@@ -106,11 +106,10 @@ final class SampleRows {
     }
 
     /** Returns the errors of a file's first rows against direct sums over wavelengths. */
-    ErrorStatistics differenceFromSums(long first, int rows) {
-        int count = Math.min(rows, CHECKED_ROWS);
+    ErrorStatistics differenceFromSums(long first, int count, ColorBaker.Token checks) {
         float[] places = places(first, count);
         float[] xyz = colors.bakeRepeatably(places, ColorBaker.Token.NONE);
-        float[] exact = colors.direct().bake(places, token);
+        float[] exact = colors.direct().bake(places, checks);
         return Comparison.relative(IntStream.range(0, count)
                 .mapToObj(i -> new Comparison(Comparison.xyz(xyz, i), Comparison.xyz(exact, i), 1))
                 .toList());

@@ -117,7 +117,9 @@ public final class ExportCommand extends FileCommand {
             names = "--samples",
             paramLabel = "N",
             description = "Pairs of directions at which the exact reference is evaluated, half of them on orders, 0 to "
-                    + MOST_SAMPLES + ": one takes half a minute on a scan. Default: 1 to 4, by their cost.")
+                    + MOST_SAMPLES
+                    + ": one takes half a minute on a scan. Default: up to 4, as many as a tenth of the table's"
+                    + " time allows; so are the pairs for sums over wavelengths, else 1000.")
     private Integer samples;
 
     @Option(
@@ -152,6 +154,7 @@ public final class ExportCommand extends FileCommand {
             limit.requireRoom(most);
         }
         PrintWriter err = err();
+        long start = System.nanoTime();
         DiffractionSetup setup =
                 new DiffractionSetup(patchOptions.load(asked), environment(), err).withLight(LightTable.of(asked));
         Choices choices =
@@ -160,6 +163,8 @@ public final class ExportCommand extends FileCommand {
                 .plan(setup.surface(), VisibleRange.all())
                 .colorTable()
                 .orElseThrow();
+        err.println("plan: " + plan.plan().summary() + "; a table of at most " + ByteSize.format(most));
+        err.flush();
         GridBaker baker = new GridBaker(setup, plan);
         ColorGrid grid = baker.finest(Math.toRadians(largestAngle), limit);
         ColorGrid read = writer.asRead(grid);
@@ -170,7 +175,12 @@ public final class ExportCommand extends FileCommand {
                 choices,
                 read,
                 TableMetadata.GridErrors.of(
-                        setup, baker, read, writer.errorWeights(setup.cie()), Optional.ofNullable(samples)),
+                        setup,
+                        baker,
+                        read,
+                        writer.errorWeights(setup.cie()),
+                        Optional.ofNullable(samples),
+                        1e-9 * (System.nanoTime() - start)),
                 rule.divisor(setup.patch().heights(), RefractiveIndex.KERATIN, choices.with(COHERENCE_LENGTH, width)));
         TableWriter.Output table = writer.output(grid, baker, metadata);
         List<Path> written = format.write(output, overwrite(), table.files());

@@ -64,7 +64,10 @@ record FolderTable(boolean isGlsl) implements TableWriter {
 
     @Override
     public Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
-        String json = JsonOption.text(metadata.fields(QUANTITY + (isGlsl ? KTX2_QUANTITY : ""), INTERPOLATION));
+        Map<String, Object> fields = metadata.fields(QUANTITY + (isGlsl ? KTX2_QUANTITY : ""), INTERPOLATION);
+        fields.put("exposure", metadata.exposure());
+        fields.put("exposure_theta_i_deg", metadata.theta());
+        String json = JsonOption.text(fields);
         GridShape shape = grid.shape();
         int columns = shape.u().count();
         int rows = shape.v().count();

@@ -34,6 +34,8 @@ final class ShaderText {
         values.put("LIGHT", plain(metadata.setup().cie().description()));
         values.put("VERSION", Environment.version());
         values.put("ERROR", metadata.error());
+        values.put("EXPOSED", Text.format("%.3g", metadata.exposure()));
+        values.put("THETA", Text.format("%.3g", metadata.theta()));
         values.put("LAYERS", String.valueOf(shape.depth().count()));
         values.put("U", number(shape.u().first()));
         values.put("V", number(shape.v().first()));

@@ -77,7 +77,9 @@ record TableMetadata(
 
     String error() {
         String sums = "error of " + errors.quantity() + ": " + comparedWith("sums over wavelengths", errors.sums());
-        return errors.reference().count() > 0 ? sums + "; " + comparedWith("the reference", errors.reference()) : sums;
+        return errors.reference().count() > 0
+                ? sums + "; " + comparedWith("the reference", errors.reference())
+                : sums + "; beside the reference at none (--samples gives their number)";
     }
 
     private static String comparedWith(String what, ErrorStatistics errors) {
@@ -115,6 +117,7 @@ record TableMetadata(
 
     Map<String, Object> fields() {
         Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("command", "export");
         fields.put("program", "sunbeam " + Environment.version());
         fields.put("patch", setup.patch().name());
         fields.put("patch_sha256", setup.patch().heights().digest());
@@ -172,8 +175,12 @@ record TableMetadata(
         private static final long SEED = 3;
         private static final int SUM_PAIRS = 1000;
         private static final int REFERENCE_PAIRS = 4;
-        /** Limit of the exact reference's complex products: 20 s of processor time at 1e9 a second, less than a scan's table takes. */
-        private static final double MOST_PRODUCTS = 2e10;
+        /** Share of the table's time that sums over wavelengths may take, and that the exact reference may. */
+        private static final double SHARE = 0.05;
+        /** Complex products of the exact reference that a processor makes in a second. */
+        private static final double PRODUCTS_PER_SECOND = 1e9;
+        /** Pairs drawn at a time, of which the first are compared at any cost. */
+        private static final int BATCH = 50;
         // Limit of drawn pairs, uniform or aimed: some surfaces are dark nearly everywhere.
         private static final int MOST_TRIES = 20 * SUM_PAIRS;
 
@@ -181,38 +188,48 @@ record TableMetadata(
          * Measures the errors of a grid as a reader of the file sees it.
          *
          * @param weights weights over wavelength of the compared numbers: those of the light, or of three bands
-         * @param samples number of pairs for the reference; if empty, up to 4 within {@link #MOST_PRODUCTS}, at least 1
+         * @param samples number of pairs for the reference; if empty, up to 4
+         * @param seconds time that the table took. Without {@code samples} each comparison takes at most {@link #SHARE} of it, but the
+         *     first {@link #BATCH} pairs of each kind are compared with sums at any cost
          */
         static GridErrors of(
                 DiffractionSetup setup,
                 GridBaker gridBaker,
                 ColorGrid read,
                 CieTable weights,
-                Optional<Integer> samples) {
+                Optional<Integer> samples,
+                double seconds) {
             boolean isLight = weights.equals(setup.cie());
             GaussianArea area = read.level().area();
             ColorGrid grid = isLight ? read : gridBaker.bake(weights, read.level(), read.shape());
             ExactLight exact = setup.withLight(weights).exact(new ReferenceMethod(area));
             ColorBaker baker = gridBaker.baker(weights, read.level());
             DirectionSampler sampler = new DirectionSampler(setup.patch().heights(), area.window(), SEED);
-            Map<DirectionPair, Comparison> uniform = compare(grid, baker, sampler::uniform);
-            Map<DirectionPair, Comparison> aimed = compare(grid, baker, sampler::aimed);
+            double share = samples.isPresent() ? Double.POSITIVE_INFINITY : SHARE * seconds;
+            Map<DirectionPair, Comparison> uniform = compare(grid, baker, sampler::uniform, share / 2);
+            Map<DirectionPair, Comparison> aimed = compare(grid, baker, sampler::aimed, share / 2);
             List<Comparison> many = new ArrayList<>(uniform.values());
             many.addAll(aimed.values());
-            List<DirectionPair> few =
-                    choose(List.copyOf(aimed.keySet()), List.copyOf(uniform.keySet()), exact::products, samples);
+            double products = share * PRODUCTS_PER_SECOND * Runtime.getRuntime().availableProcessors();
+            List<DirectionPair> few = choose(
+                    List.copyOf(aimed.keySet()),
+                    List.copyOf(uniform.keySet()),
+                    exact::products,
+                    samples.orElse(REFERENCE_PAIRS),
+                    products);
             List<Comparison> compared = setup.progress()
                     .map("Exact colors", few, pair -> comparison(grid, pair, exact.xyz(pair, Quadrature.INTEGRATED)));
             String quantity = isLight ? "X, Y, Z" : "three of " + weights.description();
             return new GridErrors(quantity, Comparison.relative(compared), Comparison.relative(many));
         }
 
-        /** Chooses pairs in turn from two lists: {@code count} of them, or up to 4 within {@link #MOST_PRODUCTS}, but at least 1. */
+        /** Chooses up to {@code count} pairs in turn from two lists, whose products together do not exceed a limit. */
         static List<DirectionPair> choose(
                 List<DirectionPair> aimed,
                 List<DirectionPair> uniform,
                 ToDoubleFunction<DirectionPair> products,
-                Optional<Integer> count) {
+                int count,
+                double mostProducts) {
             List<DirectionPair> inTurn = new ArrayList<>();
             for (int i = 0; i < Math.max(aimed.size(), uniform.size()); i++) {
                 inTurn.addAll(aimed.subList(Math.min(i, aimed.size()), Math.min(i + 1, aimed.size())));
@@ -220,24 +237,27 @@ record TableMetadata(
             }
             List<DirectionPair> chosen = new ArrayList<>();
             double sum = 0;
-            int most = Math.min(inTurn.size(), count.orElse(REFERENCE_PAIRS));
-            for (DirectionPair pair : inTurn.subList(0, most)) {
+            for (DirectionPair pair : inTurn.subList(0, Math.min(inTurn.size(), count))) {
                 sum += products.applyAsDouble(pair);
-                if (count.isPresent() || chosen.isEmpty() || sum <= MOST_PRODUCTS) {
+                if (sum <= mostProducts) {
                     chosen.add(pair);
                 }
             }
             return chosen;
         }
 
-        /** Draws pairs until enough are bright, and compares the grid with direct sums there. */
+        /** Draws pairs until enough are bright or the time is over, and compares the grid with direct sums there. */
         private static Map<DirectionPair, Comparison> compare(
-                ColorGrid grid, ColorBaker baker, Supplier<Query> queries) {
+                ColorGrid grid, ColorBaker baker, Supplier<Query> queries, double seconds) {
+            long start = System.nanoTime();
             Map<DirectionPair, Comparison> bright = new LinkedHashMap<>();
             double lowest = Math.cos(grid.shape().largestAngle());
-            for (int tried = 0; tried < MOST_TRIES && bright.size() < SUM_PAIRS / 2; tried += SUM_PAIRS / 2) {
+            for (int tried = 0; tried < MOST_TRIES && bright.size() < SUM_PAIRS / 2; tried += BATCH) {
+                if (tried > 0 && 1e-9 * (System.nanoTime() - start) > seconds) {
+                    break;
+                }
                 List<DirectionPair> pairs = Stream.generate(queries)
-                        .limit(SUM_PAIRS / 2)
+                        .limit(BATCH)
                         .map(Query::pair)
                         .filter(pair -> pair.cosThetaI() >= lowest && pair.cosThetaR() >= lowest)
                         .toList();

@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import jrtr.gl.FloatTexture;
@@ -156,11 +155,11 @@ class ExportTest extends InAContext {
     private static final List<DirectionPair> AIMED = pairs(10);
     private static final List<DirectionPair> UNIFORM = pairs(40);
 
-    /** Four, as many of them as twenty seconds allow, or as many as are given at any cost; half of them are on orders. */
+    /** As many of the pairs as the limit of products allows, perhaps none; half of them are on orders. */
     @ParameterizedTest
-    @CsvSource({"1e6, , 4", "9.5e9, , 2", "1e12, , 1", "1e12, 6, 6", "1, 0, 0"})
-    void costlyPairsAreFewUnlessTheirNumberIsGiven(double cost, Integer given, int compared) {
-        assertThat(TableMetadata.GridErrors.choose(AIMED, UNIFORM, pair -> cost, Optional.ofNullable(given)))
+    @CsvSource({"1e6, 4, 1e9, 4", "4e8, 4, 1e9, 2", "1e12, 4, 1e9, 0", "1e12, 6, Infinity, 6", "1, 0, 1e9, 0"})
+    void costlyPairsAreFew(double cost, int count, double most, int compared) {
+        assertThat(TableMetadata.GridErrors.choose(AIMED, UNIFORM, pair -> cost, count, most))
                 .isEqualTo(IntStream.range(0, compared)
                         .mapToObj(i -> (i % 2 == 0 ? AIMED : UNIFORM).get(i / 2))
                         .toList());
