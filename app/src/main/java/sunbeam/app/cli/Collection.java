@@ -3,7 +3,6 @@ package sunbeam.app.cli;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -16,11 +15,15 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import jrtr.GraphicsException;
+import jrtr.gl.RenderContext;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.cli.PatchOptions.Surfaces;
 import sunbeam.app.cli.PatchOptions.TaskPart;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.ExitCode;
@@ -29,6 +32,8 @@ import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.FileNames;
+import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Decimals;
@@ -48,14 +53,10 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
 
     private static final List<String> OF_ONE = List.of("--with", "--linear");
 
-    /** Failures that all further runs would have, too. */
-    private static final Set<Integer> FINAL = Stream.of(
-                    ExitCode.NO_GRAPHICS, ExitCode.CANNOT_WRITE, ExitCode.OUTPUT_EXISTS, ExitCode.INTERRUPTED)
-            .map(ExitCode::code)
-            .collect(Collectors.toSet());
-
     private static final int MOST = 100_000;
     private static final int NAMES_OF_FOLDER = 3;
+    /** Bytes; a file's name may have 255, with number, angle and ending. */
+    private static final int LONGEST_STEM = 200;
 
     /** Result of a command line: exit code, standard output, and the last line of standard error, without the program's name. */
     public record Outcome(int code, String out, String message) {
@@ -114,15 +115,17 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
         List<Item> items = all.subList((int) task.first(all.size()), (int) task.end(all.size()));
         Overwrite overwrite = replaces() ? Overwrite.REPLACE : Overwrite.REFUSE;
         CollectionFolder folder = CollectionFolder.open(folder(), task, overwrite, parsed.hasMatchedOption("--resume"));
+        folder.requireFree(items, overwrite);
         List<ObjectNode> rows = new ArrayList<>();
         String kept = "interrupted; what is finished is kept, add --resume to go on";
         ShutdownHook hook = new ShutdownHook(() -> err.println(Messages.error(kept)));
         try (ProgressDisplay.Progress progress = display.start("Surfaces", items.size())) {
             for (Item item : items) {
                 ObjectNode row = row(item, folder, err);
-                if (FINAL.contains(code(row))) {
+                if (failed(row) && wouldStopAll(code(row), folder)) {
                     return code(row);
                 }
+                folder.append(row);
                 rows.add(row);
                 progress.step(1);
             }
@@ -138,17 +141,31 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
     }
 
     private ObjectNode row(Item item, CollectionFolder folder, PrintWriter err) {
-        String hash = hash(item);
-        Optional<ObjectNode> earlier = folder.find(item, hash);
-        ObjectNode row = earlier.orElseGet(() -> folder.row(item, hash, run(item, folder)));
+        Optional<String> hash = hash(item);
+        Optional<ObjectNode> earlier = hash.flatMap(known -> folder.find(item, known));
+        if (earlier.isPresent()) {
+            return earlier.get();
+        }
+        ObjectNode row = folder.row(item, hash.orElse(""), run(item, folder));
         if (failed(row) && code(row) != ExitCode.INTERRUPTED.code()) {
             String message = row.get("message").textValue();
             err.println(Messages.error(message.contains(item.patch()) ? message : item.patch() + ": " + message));
         }
-        if (earlier.isEmpty() && !FINAL.contains(code(row))) {
-            folder.append(row);
-        }
         return row;
+    }
+
+    /** True if all further surfaces would fail, too: the process is ending, the folder takes no files, or there is no graphics. */
+    private static boolean wouldStopAll(int code, CollectionFolder folder) {
+        try {
+            if (code == ExitCode.CANNOT_WRITE.code()) {
+                AtomicFile.checkWritable(folder.picture("probe"), Overwrite.REPLACE);
+            } else if (code == ExitCode.NO_GRAPHICS.code()) {
+                RenderContext.offscreen().close();
+            }
+            return code == ExitCode.INTERRUPTED.code();
+        } catch (OutputException | GraphicsException ofAll) {
+            return true;
+        }
     }
 
     private static int code(ObjectNode row) {
@@ -177,7 +194,7 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
         List<Item> items = new ArrayList<>();
         Set<String> taken = new HashSet<>();
         for (String name : names) {
-            String stem = FileNames.stem(Path.of(name));
+            String stem = FileNames.cut(FileNames.stem(Path.of(name)), LONGEST_STEM);
             String free = stem;
             for (int number = 2; !taken.add(free); number++) {
                 free = stem + "-" + number;
@@ -224,14 +241,19 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
         });
     }
 
-    /** Returns a hash of all that determines a run's report: its options and, for a descriptor, the file of its heights. */
-    private String hash(Item item) {
+    /**
+     * Returns a hash of all that determines a run's report: its options and, for a descriptor, the file of its heights. Empty if a file
+     * cannot be read, which the run reports.
+     */
+    private Optional<String> hash(Item item) {
         List<String> words = new ArrayList<>(item.options());
         words.add(command());
-        if (Files.isRegularFile(Path.of(item.patch()))) {
-            Surfaces.heights(Path.of(item.patch())).ifPresent(file -> words.add("--heights=" + file));
+        PatchLoader.described(Path.of(item.patch())).ifPresent(file -> words.add("--heights=" + file));
+        try {
+            return Optional.of(ResumeOption.hash(words));
+        } catch (InputException unreadable) {
+            return Optional.empty();
         }
-        return ResumeOption.hash(words);
     }
 
     private String command() {
@@ -249,7 +271,8 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
                 .limit(NAMES_OF_FOLDER)
                 .collect(Collectors.joining("-"));
         boolean mayExist = named.isPresent() || replaces() || parsed.hasMatchedOption(PatchOptions.TASK);
-        return OutputFolder.claim(named.orElse(Path.of(command() + "-" + names)), mayExist);
+        return OutputFolder.claim(
+                named.orElse(Path.of(FileNames.cut(command() + "-" + names, LONGEST_STEM))), mayExist);
     }
 
     private Outcome run(Item item, CollectionFolder folder) {

@@ -17,6 +17,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -77,6 +78,17 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
         return folder.resolve("surfaces").resolve(stem + ".png");
     }
 
+    /** Throws {@link OutputException} if a picture exists that may not be replaced, before any surface is examined. */
+    void requireFree(List<Item> items, Overwrite overwrite) {
+        for (Item item : items) {
+            Path picture = picture(item.stem());
+            if (overwrite == Overwrite.REFUSE && Files.exists(picture)) {
+                throw new OutputException.Exists("cannot write " + picture
+                        + ": it exists; add --resume to keep what is finished, or --force to make all anew");
+            }
+        }
+    }
+
     private void readEarlier() {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, REPORTS + "*.jsonl")) {
             for (Path file : files) {
@@ -130,8 +142,11 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
         return row;
     }
 
-    /** Adds a row to the reports, so that it is kept if the run is stopped. */
+    /** Adds a new row to the reports, so that it is kept if the run is stopped. */
     void append(ObjectNode row) {
+        if (row.equals(earlier.get(row.path("parameters").asText()))) {
+            return;
+        }
         Path file = file(REPORTS, ".jsonl");
         try {
             Files.writeString(file, row + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
@@ -212,9 +227,7 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
         double theta = report.path("theta_i_deg").asDouble();
         String sentence = report.path("verdict").asText().split(": ", 2)[0];
         try {
-            BufferedImage whole = ImageIO.read(picture.toFile());
-            InputException.refuseIf(
-                    whole == null, picture + " is no picture any more; remove it and run again with --resume");
+            BufferedImage whole = Objects.requireNonNull(ImageIO.read(picture.toFile()));
             JsonNode area = report.path("thumbnail_px");
             Rectangle all = new Rectangle(whole.getWidth(), whole.getHeight());
             Rectangle part = all.intersection(new Rectangle(
@@ -227,8 +240,9 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
                     Optional.of(Thumbnail.reduced(whole.getSubimage(shown.x, shown.y, shown.width, shown.height))),
                     theta == 0 ? name : name + ", light at " + Decimals.format(theta) + "\u00b0",
                     sentence);
-        } catch (IOException failure) {
-            throw InputException.of(picture, failure);
+        } catch (IOException | RuntimeException broken) {
+            return new Thumbnail(
+                    Optional.empty(), name, "its picture cannot be read any more: remove it, add --resume");
         }
     }
 }

@@ -6,7 +6,9 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.PrintWriter;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -260,10 +262,13 @@ public final class PatchOptions extends SettingOptions {
                     .toList();
         }
 
-        /** Returns a folder's own files without hidden ones, those that a descriptor of the folder names, and other JSON and Markdown. */
+        /**
+         * Returns a folder's own files without hidden ones, those that a descriptor of the folder names, and other JSON and Markdown. A link
+         * that leads nowhere counts: its run reports it.
+         */
         private static List<String> files(Path folder) {
             try (Stream<Path> listed = Files.list(folder)) {
-                List<Path> files = listed.filter(file -> Files.isRegularFile(file)
+                List<Path> files = listed.filter(file -> (Files.isRegularFile(file) || !Files.exists(file))
                                 && !file.getFileName().toString().matches("(?i)\\..*|.*\\.md")
                                 && json(file).map(tree -> tree.has(HEIGHTS)).orElse(true))
                         .sorted()
@@ -280,11 +285,13 @@ public final class PatchOptions extends SettingOptions {
                         .toList();
             } catch (IOException failure) {
                 throw InputException.of(folder, failure);
+            } catch (UncheckedIOException failure) {
+                throw InputException.of(folder, failure.getCause());
             }
         }
 
-        /** Returns the file of the heights that a descriptor names; empty if the file is no descriptor. */
-        static Optional<Path> heights(Path file) {
+        /** Returns the file of the heights that a descriptor names, which is not opened; empty if the file is no descriptor. */
+        private static Optional<Path> heights(Path file) {
             try {
                 return json(file)
                         .map(tree -> tree.path(HEIGHTS).textValue())
@@ -294,13 +301,19 @@ public final class PatchOptions extends SettingOptions {
             }
         }
 
-        /** Empty if the file is no JSON, or cannot be read: the command reads it later and reports what is wrong. */
+        /**
+         * Empty if the file is no JSON, or cannot be read: the command reads it later and reports what is wrong. No more is read than the
+         * file's size, which is 0 for files of the kernel.
+         */
         private static Optional<JsonNode> json(Path file) {
-            try {
-                return file.toString().toLowerCase(Locale.ROOT).endsWith(".json")
-                                && Files.size(file) <= LARGEST_DESCRIPTOR
-                        ? Optional.of(new ObjectMapper().readTree(file.toFile()))
-                        : Optional.empty();
+            if (!file.toString().toLowerCase(Locale.ROOT).endsWith(".json") || !Files.isRegularFile(file)) {
+                return Optional.empty();
+            }
+            try (InputStream stream = Files.newInputStream(file)) {
+                long size = Files.size(file);
+                return size > LARGEST_DESCRIPTOR
+                        ? Optional.empty()
+                        : Optional.of(new ObjectMapper().readTree(stream.readNBytes((int) size)));
             } catch (IOException broken) {
                 return Optional.empty();
             }

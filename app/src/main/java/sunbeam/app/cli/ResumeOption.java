@@ -5,7 +5,6 @@ import java.io.FileInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
-import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -22,6 +21,7 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.patch.Patch;
 
@@ -39,6 +39,8 @@ public final class ResumeOption {
                     .split(" ", -1));
 
     private static final int BLOCK_BYTES = 1 << 16;
+    /** Bytes of a file that are hashed, a second's work; a longer one is known by its size and time besides. */
+    private static final long MOST_HASHED = 1L << 28;
 
     @Option(
             names = "--resume",
@@ -70,7 +72,10 @@ public final class ResumeOption {
         return hash(words);
     }
 
-    /** Returns a SHA-256 hash of the version, of options as {@code --name=value} that change the output, and of the files they name. */
+    /**
+     * Returns a SHA-256 hash of the version, of options as {@code --name=value} that change the output, and of the files they name; throws
+     * InputException if one cannot be read.
+     */
     public static String hash(List<String> words) {
         Sha256 hash = new Sha256().add(Environment.version());
         for (String word : words) {
@@ -82,20 +87,27 @@ public final class ResumeOption {
         return hash.hex();
     }
 
-    /** Adds the content of a file; nothing if the text names none. */
-    private static Sha256 addFile(Sha256 hash, String file) {
-        if (!new File(file).isFile()) {
+    /** Adds the content of a file; nothing if the text names none. Files of the kernel have no size and may never end: none is read. */
+    private static Sha256 addFile(Sha256 hash, String name) {
+        File file = new File(name);
+        if (!file.isFile()) {
             return hash;
         }
+        long rest = Math.min(file.length(), MOST_HASHED);
+        if (file.length() > rest) {
+            hash.add(file.length() + "@" + file.lastModified());
+        }
+        byte[] block = new byte[BLOCK_BYTES];
         try (InputStream stream = new FileInputStream(file)) {
-            byte[] block = new byte[BLOCK_BYTES];
-            for (int count = stream.read(block); count > 0; count = stream.read(block)) {
-                hash.add(ByteBuffer.wrap(block, 0, count));
+            int count = 1;
+            while (rest > 0 && count > 0) {
+                count = stream.read(block, 0, (int) Math.min(block.length, rest));
+                hash.add(ByteBuffer.wrap(block, 0, Math.max(0, count)));
+                rest -= count;
             }
             return hash;
         } catch (IOException failure) {
-            // The command has read this file before, so a failure here is no mistake of the user.
-            throw new UncheckedIOException(file, failure);
+            throw InputException.of(file.toPath(), failure);
         }
     }
 

@@ -85,9 +85,9 @@ public final class Messages {
      * characters other than line breaks and tabs, and those that change the direction of text, become {@code ?}.
      */
     public static final class HarmlessWriter extends Writer {
-        // C0 but for breaks and tabs, DEL, C1; then marks of direction, line and paragraph separators.
-        private static final Pattern CONTROLLING = Pattern.compile(
-                "[\\x00-\\x1f\\x7f-\\x9f&&[^\n\r\t]]|[\\u061c\\u200e\\u200f\\u2028-\\u202e\\u2066-\\u2069]");
+        /** C0 but for line breaks and tabs, DEL, C1; marks of direction, line and paragraph separators. */
+        public static final Pattern CONTROLLING = Pattern.compile(
+                "[\\x00-\\x1f\\x7f-\\x9f&&[^\n\r\t]]|\r(?!\n)|[\\u061c\\u200e\\u200f\\u2028-\\u202e\\u2066-\\u2069]");
 
         private final Writer out;
         private final boolean onlyErrors;

@@ -10,6 +10,7 @@ import de.siegmar.fastcsv.reader.NamedCsvRecord;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -20,6 +21,7 @@ import java.util.function.DoubleUnaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.terminal.ExitCode;
@@ -121,6 +123,82 @@ final class CollectionTest extends CommandLineFixture {
         assertThat(column("message").get(0)).contains("a bad one.gwy is neither an image nor a scan");
         assertThat(column("verdict_code").get(1)).isEqualTo("sure_grating");
         assertThat(err.toString()).hasLineCount(1).contains("a bad one.gwy");
+    }
+
+    /** Terabytes outside of the folder would take hours to read; the kernel's files may never end. */
+    @Test
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void filesOutsideOfTheFolderAreNotRead() throws IOException {
+        Path outside = folder.resolve("outside.gsf");
+        try (RandomAccessFile sparse = new RandomAccessFile(outside.toFile(), "rw")) {
+            sparse.setLength(1L << 40);
+        }
+        Files.createSymbolicLink(scans.resolve("a link.gsf"), outside);
+        Files.writeString(scans.resolve("b.json"), "{\"heights\": \"../outside.gsf\"}");
+        Files.writeString(scans.resolve("c.json"), "{\"heights\": \"/proc/self/pagemap\", \"width\": \"10um\"}");
+        Files.createSymbolicLink(scans.resolve("d.json"), Path.of("/proc/self/pagemap"));
+        Files.createSymbolicLink(scans.resolve("e.gsf"), Path.of("e.gsf"));
+        Files.createDirectory(scans.resolve("folder.png"));
+
+        assertThat(inspect("@scans")).isEqualTo(4);
+
+        assertThat(column("exit_code")).containsExactly("4", "4", "4", "4", "0");
+        assertThat(column("message").get(1)).contains("b.json", "leads out of the descriptor's own folder");
+        assertThat(column("message").get(2)).contains("c.json", "leads out of the descriptor's own folder");
+        assertThat(column("message").get(3)).contains("e.gsf", "existing file");
+        assertThat(column("verdict_code").get(4)).isEqualTo("sure_grating");
+        assertThat(inspect("@scans --resume")).isEqualTo(4);
+        assertThat(column("exit_code")).containsExactly("4", "4", "4", "4", "0");
+        // JUnit warns of links that lead out of its folder.
+        Files.delete(scans.resolve("d.json"));
+    }
+
+    @Test
+    void theLongestNamesHaveRowsAndPictures() throws IOException {
+        for (String last : List.of("a", "b")) {
+            Files.copy(scans.resolve("grating.txt"), scans.resolve("x".repeat(254) + last));
+        }
+
+        assertSuccess(inspect("@scans"));
+
+        assertThat(column("verdict_code")).containsOnly("sure_grating").hasSize(3);
+        assertThat(report.resolve("surfaces").toFile().list())
+                .containsExactlyInAnyOrder("grating.png", "x".repeat(200) + ".png", "x".repeat(200) + "-2.png");
+    }
+
+    @Test
+    void anOutputThatCannotBeWrittenIsARow() throws IOException {
+        Files.copy(scans.resolve("grating.txt"), scans.resolve("b.txt"));
+        Files.createDirectories(report.resolve("surfaces/b.png"));
+
+        assertThat(inspect("@scans --force")).isEqualTo(6);
+
+        assertThat(column("exit_code")).containsExactly("6", "0");
+        assertComplaint(ExitCode.OUTPUT_EXISTS, "inspect @scans --output @report", "table.csv: it exists");
+        Files.delete(report.resolve("table.csv"));
+        Files.delete(report.resolve("reports.jsonl"));
+        assertComplaint(
+                ExitCode.OUTPUT_EXISTS, "inspect @scans --output @report", "surfaces/b.png: it exists", "--resume");
+        Files.delete(report.resolve("surfaces/b.png"));
+        assertSuccess(inspect("@scans --resume"));
+    }
+
+    @Test
+    void namesAreNoFormulasAndControlNothing() throws IOException {
+        String name = "=HYPERLINK(1)\u001b[31m\u202e\rred";
+        Files.move(scans.resolve("grating.txt"), scans.resolve(name));
+        Path here = Files.createDirectory(folder.resolve("@report"));
+
+        assertThat(sunbeam("color " + scans + " --angles -40:40:4 --output " + here))
+                .isZero();
+
+        String colors = Files.readString(here.resolve("surfaces").resolve(name + ".csv"));
+        assertThat(colors)
+                .contains("\n'=HYPERLINK(1)\\u001b[31m\\u202e\\u000dred,")
+                .doesNotContain("\u001b", "\r");
+        String table = Files.readString(here.resolve("table.csv"));
+        assertThat(table).contains("=HYPERLINK(1)\\u001b[31m\\u202e\\u000dred").doesNotContain("\u001b", "\r");
+        assertThat(out.toString() + err).doesNotContain("\u001b", "\u202e", "\r");
     }
 
     @Test

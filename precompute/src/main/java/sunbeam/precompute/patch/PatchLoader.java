@@ -52,6 +52,21 @@ public final class PatchLoader {
         }
     }
 
+    /** Returns the file of a descriptor's heights; empty if the file is no descriptor, or names heights outside its folder. */
+    public static Optional<Path> described(Path file) {
+        try {
+            return isDescriptor(file.toString())
+                    ? Optional.of(PatchDescriptor.read(file).heights())
+                    : Optional.empty();
+        } catch (InputException | SettingException unusable) {
+            return Optional.empty();
+        }
+    }
+
+    private static boolean isDescriptor(String name) {
+        return name.toLowerCase(Locale.ROOT).endsWith(".json");
+    }
+
     private static Patch loadHere(PatchRequest request, HeightCache cache) {
         String name = request.patch().strip();
         if (BuiltInPatches.names().contains(name)) {
@@ -59,7 +74,7 @@ public final class PatchLoader {
         }
         Path file = existing(request.patch());
         PatchAssembler.Kind kind = request.raw() ? PatchAssembler.Kind.DESCRIBED : PatchAssembler.Kind.GIVEN_DIRECTLY;
-        return name.toLowerCase(Locale.ROOT).endsWith(".json")
+        return isDescriptor(name)
                 ? fromDescriptor(PatchDescriptor.read(file), request)
                 : fromFile(file, file, request.choices(), kind);
     }

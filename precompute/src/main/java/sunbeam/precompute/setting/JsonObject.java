@@ -9,6 +9,7 @@ import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.util.JsonParserDelegate;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -60,7 +61,9 @@ public final class JsonObject {
     public static JsonObject read(Path file) {
         InputException.requireRegular(file);
         try (InputStream stream = Files.newInputStream(file)) {
-            return read(file.toString(), stream);
+            // A file of the kernel has no size, and its reading may wait forever.
+            int most = (int) Math.min(MOST_BYTES + 1, Files.size(file));
+            return read(file.toString(), new ByteArrayInputStream(stream.readNBytes(most)));
         } catch (IOException failure) {
             throw InputException.of(file, failure);
         }

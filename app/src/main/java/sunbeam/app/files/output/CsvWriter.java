@@ -10,14 +10,22 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntFunction;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import sunbeam.app.terminal.Messages.HarmlessWriter;
 import sunbeam.precompute.text.Text;
 
 /** Writer of comma-separated text; numbers have 13 significant digits in scientific notation, NaN or Infinity. */
 public final class CsvWriter {
+    // Spreadsheets run a cell that begins so as a formula; numbers, also several of them, are none.
+    private static final Pattern FORMULA = Pattern.compile("(?s)[=+\\-@\t](?!Infinity$)(?![0-9.][-+0-9.eE; to]*$).*");
+
     private CsvWriter() {}
 
-    /** Returns a table of at least one row, all with the same columns, quoted where necessary. */
+    /**
+     * Returns a table of at least one row, all with the same columns, quoted where necessary. Texts that spreadsheets would take for a
+     * formula get an apostrophe in front; control characters other than line feeds become their numbers after a backslash and u.
+     */
     public static String text(List<? extends Map<String, ?>> rows) {
         return text(List.copyOf(rows.get(0).keySet()), rows);
     }
@@ -31,8 +39,16 @@ public final class CsvWriter {
                 .build(text);
         csv.writeRecord(columns);
         rows.forEach(row ->
-                csv.writeRecord(row.values().stream().map(String::valueOf).toList()));
+                csv.writeRecord(row.values().stream().map(CsvWriter::cell).toList()));
         return text.toString();
+    }
+
+    private static String cell(Object value) {
+        String text = HarmlessWriter.CONTROLLING
+                .matcher(String.valueOf(value))
+                .replaceAll(control ->
+                        Text.format("\\\\u%04x", (int) control.group().charAt(0)));
+        return FORMULA.matcher(text).matches() ? "'" + text : text;
     }
 
     /** Returns a table of numbers, row by row from 0. The names have letters, digits, {@code _ . -} and blanks only. */
