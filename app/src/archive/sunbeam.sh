@@ -7,5 +7,5 @@ command -v "$java" >/dev/null || { echo "sunbeam: there is no Java ($java): inst
 # Only view opens a window; a Java with windows would show an icon, and end later.
 case " $* " in *" view "*) headless=false ;; *) headless=true ;; esac
 # shellcheck disable=SC2086 # the user's options are split at blanks
-exec "$java" --enable-native-access=ALL-UNNAMED -Djava.awt.headless=$headless -Dfile.encoding=UTF-8 -XX:MaxRAMPercentage=50 \
-    $SUNBEAM_JAVA_OPTIONS -cp "$here/lib/*" sunbeam.app.Main "$@"
+exec "$java" -XX:+DisplayVMOutputToStderr --enable-native-access=ALL-UNNAMED -Djava.awt.headless=$headless -Dfile.encoding=UTF-8 \
+    -XX:MaxRAMPercentage=50 $SUNBEAM_JAVA_OPTIONS -cp "$here/lib/*" sunbeam.app.Main "$@"

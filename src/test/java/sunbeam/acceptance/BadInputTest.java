@@ -74,7 +74,7 @@ class BadInputTest extends InWorkplace {
             export blaze --format bsdf --output b.brdf|--output
             export blaze --format bsdf --output b.bsdf --channels xyz|--channels
             export blaze --format bsdf --output b.bsdf --illuminant A|--illuminant
-            brdf-map --patch scan.png --width 0um --max-height 375nm|--width 0 m is out of range; give 1 nm to 100 mm
+            brdf-map --patch scan.png --width 0um --max-height 375nm|--width 0 m is out of range; give 1 nm to 1 m
             brdf-map --patch scan.png --width 65m --max-height 375nm|--width 65 m is out of range; give
             brdf-map --patch scan.png --width 65 --max-height 375nm|--width "65" has no unit; write
             brdf-map --patch scan.png --width 65um --height 0um --max-height 375nm|--height 0 m is out of range; give

@@ -105,6 +105,18 @@ class LauncherStartTest extends InSandbox {
     }
 
     @Test
+    void tooFewOpenFilesAreTold() throws Exception {
+        Path limited = folder.resolve("limited");
+        Files.writeString(limited, "#!/bin/sh\nulimit -n 64\nexec '" + launcher() + "' \"$@\"\n");
+        assertThat(limited.toFile().setExecutable(true)).isTrue();
+
+        SunbeamResult result = equip(Sunbeam.launcher(limited, "inspect")).run().ended(SET_UP_FAILED);
+        assertThat(result.stderr())
+                .startsWith("sunbeam: only 64 files may be open at once")
+                .hasLineCount(1);
+    }
+
+    @Test
     void theViewerWithoutAScreenSaysThatItNeedsOne() throws Exception {
         SunbeamResult result = command("view", "--patch", "blaze").run().ended(SunbeamResult.NO_GRAPHICS);
         assertThat(result.stdout()).isEmpty();

@@ -3,8 +3,13 @@ package sunbeam.app;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.util.Locale;
+import jrtr.gl.DisplayFaults;
 import sunbeam.app.cli.program.Sunbeam;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.Messages.HarmlessWriter;
+import sunbeam.app.terminal.ShutdownHook;
 
 /** Entry point of the {@code sunbeam} command. */
 public final class Main {
@@ -21,7 +26,16 @@ public final class Main {
         Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
         PrintWriter out = new PrintWriter(System.out, true, Charset.defaultCharset());
         PrintWriter err = new PrintWriter(System.err, true, Charset.defaultCharset());
+        DisplayFaults.onLoss(() -> endWithoutScreen(HarmlessWriter.around(err)));
         int code = new Sunbeam(Environment.ofProcess(), out, err).run(arguments);
         System.exit(code);
+    }
+
+    /** Ends the process without Java's shutdown hooks, since those of JOGL would use the lost display. */
+    private static void endWithoutScreen(PrintWriter err) {
+        err.println(Messages.error("the X server of DISPLAY=" + System.getenv("DISPLAY")
+                + " has ended, and with it the drawing; start it again, or unset DISPLAY for a private one"));
+        ShutdownHook.runAll();
+        Runtime.getRuntime().halt(ExitCode.NO_GRAPHICS.code());
     }
 }

@@ -5,31 +5,68 @@ import com.jogamp.nativewindow.NativeWindowFactory;
 import com.jogamp.opengl.GL3;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.net.InetSocketAddress;
+import java.net.SocketAddress;
+import java.net.UnixDomainSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import jrtr.GraphicsException;
 
 /**
- * Keeps faults around OpenGL from ending the process, or from misleading the user. There are three. An exit during a draw of another
- * thread crashes in the driver. JOGL prints stack traces. JOGL unpacks its native libraries into a folder with a predictable name. The
- * state is static, since the exit belongs to the whole process.
+ * Keeps faults around OpenGL from ending the process, or from misleading the user. There are four. When the X server goes away, the next
+ * call of Xlib ends the process with a stack trace. An exit during a draw of another thread crashes in the driver. JOGL prints stack
+ * traces. JOGL unpacks its native libraries into a folder with a predictable name. The state is static, since the display belongs to the
+ * whole process.
  */
-final class DisplayFaults {
+public final class DisplayFaults {
+    private static final Pattern DISPLAY = Pattern.compile("(?:unix/?)?([^:/]*):(\\d{1,5})(?:\\.\\d+)?");
+    private static final int FIRST_PORT = 6000;
     /** Longest wait for a drawing thread at the end: compiling a long shader takes seconds, but a driver may hang. */
     private static final long DRAWING_NANOSECONDS = TimeUnit.SECONDS.toNanos(10);
     /** Longest wait for a thread that opens a context: it may itself wait for a thread that no longer starts while the process ends. */
     private static final long OPENING_NANOSECONDS = TimeUnit.MILLISECONDS.toNanos(500);
 
     private static final String TEMPORARY_FOLDER = "java.io.tmpdir";
+    private static volatile Runnable onLoss = () -> {};
     private static volatile boolean ending;
+    private static boolean watched;
     private static boolean prepared;
 
     private DisplayFaults() {}
+
+    /**
+     * Sets the action that runs, on a thread of its own, after the X server has gone. It must end the process without Java's shutdown hooks,
+     * since JOGL's hooks call Xlib.
+     */
+    public static void onLoss(Runnable action) {
+        onLoss = action;
+    }
+
+    /**
+     * Begins to watch the X server, of which a program notices the end before Xlib does if this precedes its windows and its OpenGL. With
+     * windows, whose thread calls Xlib at once, the end of the server does not wait for draws to finish.
+     */
+    public static synchronized void watchServer(boolean hasWindows) {
+        if (watched) {
+            return;
+        }
+        watched = true;
+        watch(System.getenv().getOrDefault("DISPLAY", ""), () -> {
+            if (!hasWindows) {
+                awaitRest();
+            }
+            onLoss.run();
+        });
+    }
 
     /** Must precede all use of JOGL. */
     static synchronized void prepare() {
@@ -40,6 +77,7 @@ final class DisplayFaults {
         if (!"false".equals(System.getProperty("jogamp.gluegen.UseTempJarCache"))) {
             makeLibraryFolder();
         }
+        watchServer(false);
         try {
             Runtime.getRuntime().addShutdownHook(new Thread(DisplayFaults::awaitRest, "jrtr-end"));
         } catch (IllegalStateException shuttingDown) {
@@ -98,6 +136,52 @@ final class DisplayFaults {
         } catch (IOException | RuntimeException left) {
             return;
         }
+    }
+
+    static void watch(String display, Runnable loss) {
+        Matcher parts = DISPLAY.matcher(display);
+        // The pattern takes larger numbers than there are ports.
+        if (!parts.matches() || FIRST_PORT + Integer.parseInt(parts.group(2)) > 0xffff) {
+            return;
+        }
+        SocketAddress address = parts.group(1).isEmpty()
+                ? UnixDomainSocketAddress.of("/tmp/.X11-unix/X" + parts.group(2))
+                : new InetSocketAddress(parts.group(1), FIRST_PORT + Integer.parseInt(parts.group(2)));
+        SocketChannel server = connect(address);
+        if (server != null) {
+            Thread thread = new Thread(() -> runAfterEnd(address, server, loss), "jrtr-display");
+            thread.setDaemon(true);
+            thread.start();
+        }
+    }
+
+    private static SocketChannel connect(SocketAddress address) {
+        try {
+            return SocketChannel.open(address);
+        } catch (IOException | RuntimeException gone) {
+            return null;
+        }
+    }
+
+    /**
+     * Waits until a server has gone. A lost connection is not enough, since servers drop idle clients, and all clients when they reset:
+     * the server must also refuse a new connection.
+     */
+    private static void runAfterEnd(SocketAddress address, SocketChannel first, Runnable loss) {
+        for (SocketChannel server = first; server != null; server = connect(address)) {
+            if (server != first) {
+                // A server with too many clients drops a new one at once: wait before the next try.
+                sleep(1000);
+            }
+            try (SocketChannel open = server) {
+                while (open.read(ByteBuffer.allocate(1)) >= 0) {
+                    // Servers do not write to clients that send no request.
+                }
+            } catch (IOException reset) {
+                // This also ends the connection.
+            }
+        }
+        loss.run();
     }
 
     /** Must precede each operation: when the process is ending, finishes earlier operations and never returns. */

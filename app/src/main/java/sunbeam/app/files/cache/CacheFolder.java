@@ -179,8 +179,23 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
+    /** True if something other than a file or a link has a file's place: the opening of a pipe would wait forever. */
+    static boolean isObstructed(Path file) {
+        return Files.exists(file, LinkOption.NOFOLLOW_LINKS)
+                && !Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)
+                && !Files.isSymbolicLink(file);
+    }
+
+    static String obstruction(Path file) {
+        return file + " is no regular file; remove it";
+    }
+
     /** Writes a file, or warns in one line; then deletes others until the folder is within its limit. */
     public void save(Path file, Consumer<Path> writer, Consumer<String> warning) {
+        if (isObstructed(file)) {
+            warning.accept("the table is not kept: " + obstruction(file));
+            return;
+        }
         try {
             AtomicFile.writeFile(file, Overwrite.REPLACE, path -> {
                 makeOwnersOnly(path);

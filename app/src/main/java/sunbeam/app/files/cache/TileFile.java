@@ -102,6 +102,10 @@ public final class TileFile implements CachedTiles {
             Consumer<String> warning) {
         FileChannel channel = null;
         try {
+            if (CacheFolder.isObstructed(file)) {
+                warning.accept("colors are not kept: " + CacheFolder.obstruction(file));
+                return NONE;
+            }
             channel = FileChannel.open(
                     file,
                     StandardOpenOption.CREATE,

@@ -78,7 +78,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
             return image;
         } catch (InputException refused) {
             throw refused;
-        } catch (RuntimeException broken) {
+        } catch (RuntimeException | StackOverflowError | OutOfMemoryError | AssertionError broken) {
             String reason = broken.getMessage() == null ? broken.getClass().getSimpleName() : broken.getMessage();
             throw new InputException(what + " " + file + " is damaged (" + reason + "); export it again", broken);
         } finally {

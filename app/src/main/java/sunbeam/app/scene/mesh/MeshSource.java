@@ -92,7 +92,9 @@ public record MeshSource(String name, Unit unit) {
         if (head.startsWith("ply\n") || head.startsWith("ply\r")) {
             return PlyFile.read(file);
         }
-        boolean isGltf = head.startsWith(GltfDocument.MAGIC) || head.strip().startsWith("{");
+        // In Latin-1; a byte order mark in UTF-8 may precede JSON.
+        boolean isGltf = head.startsWith(GltfDocument.MAGIC)
+                || head.replaceFirst("^\u00ef\u00bb\u00bf", "").strip().startsWith("{");
         // OBJ has no signature.
         return isGltf ? GltfFile.read(file) : ObjFile.read(file);
     }

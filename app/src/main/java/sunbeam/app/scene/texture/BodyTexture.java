@@ -2,6 +2,7 @@ package sunbeam.app.scene.texture;
 
 import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 import java.nio.file.Files;
@@ -104,15 +105,27 @@ public record BodyTexture(int width, int height, byte[] rgba) {
                 new ImageFile(what, LARGEST_SIDE, LARGEST_SIDE * LARGEST_SIDE, BYTES_PER_PIXEL).read(file, heapBytes);
         int width = image.getWidth();
         int height = image.getHeight();
-        return new BodyTexture(width, height, opaque(width, IntStream.range(0, height), height, colors(image)));
+        try {
+            return new BodyTexture(width, height, opaque(width, IntStream.range(0, height), height, colors(image)));
+        } catch (RuntimeException broken) {
+            throw new InputException(
+                    what + " " + file + " has colors of an unknown kind (" + broken + "); save it as RGB of 8 bits",
+                    broken);
+        }
     }
 
     /** Java takes gray samples for linear light, but in files they follow the sRGB curve; only those of more than 16 bits are linear. */
     private static IntBinaryOperator colors(BufferedImage image) {
         Raster samples = image.getRaster();
-        boolean gray = image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY;
-        if (!gray || samples.getTransferType() > DataBuffer.TYPE_USHORT) {
+        ColorModel model = image.getColorModel();
+        if (model.getColorSpace().getType() != ColorSpace.TYPE_GRAY) {
             return image::getRGB;
+        }
+        if (samples.getTransferType() > DataBuffer.TYPE_USHORT) {
+            // Java's own conversion fails for samples outside of 0 to 1; Srgb clips them.
+            return (column, row) -> 0x010101
+                    * Srgb.channel(
+                            model.getNormalizedComponents(samples.getDataElements(column, row, null), null, 0)[0]);
         }
         int white = (1 << samples.getSampleModel().getSampleSize(0)) - 1;
         return (column, row) -> 0x010101 * Math.round(255f * samples.getSample(column, row, 0) / white);

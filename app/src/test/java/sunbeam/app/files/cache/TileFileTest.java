@@ -12,6 +12,7 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
@@ -154,5 +155,19 @@ final class TileFileTest {
                 new CacheFolder(gone, ""), gone.resolve("one.tiles"), KEY, NumberFormat.HALF, LABEL, warnings::add);
         tiles.keep(0, Map.of(1, coefficients(0, 1)));
         assertThat(tiles.read(0, all())).isEmpty();
+    }
+
+    /** To open a pipe, or to read from one, waits for another process. */
+    @Test
+    @Timeout(value = 30, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void nothingIsReadFromAPipeOrAFolderInTheFilesPlace() throws IOException, InterruptedException {
+        new ProcessBuilder("mkfifo", file().toString()).start().waitFor();
+        keepAll();
+        new CacheFolder(folder, "").save(file(), path -> {}, warnings::add);
+        Files.delete(file());
+        Files.createDirectory(file());
+        keepAll();
+
+        assertThat(warnings).hasSize(3).allMatch(line -> line.endsWith("one.tiles is no regular file; remove it"));
     }
 }

@@ -51,6 +51,12 @@ class GltfReaderTest extends MeshReading {
         return bounds;
     }
 
+    @Test
+    void aByteOrderMarkIsSkipped() throws IOException {
+        assertThat(read("\u00ef\u00bb\u00bf" + GOOD).mesh().positions())
+                .isEqualTo(read(GOOD).mesh().positions());
+    }
+
     /**
      * The extension's first example shows the lower left quadrant turned by 90 degrees; the second turns v over, which leaves 0
      * to 1. Here v grows upwards.

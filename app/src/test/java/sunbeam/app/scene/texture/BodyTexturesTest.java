@@ -3,12 +3,22 @@ package sunbeam.app.scene.texture;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
+import java.awt.image.BandedSampleModel;
 import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.Raster;
+import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.FileImageOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.cache.BlobCache;
@@ -42,6 +52,32 @@ class BodyTexturesTest {
             assertThat(texture.color(0)).as("type %d", type).isZero();
             assertThat(texture.rgba()[4 * 5 + 3]).as("opaque").isEqualTo((byte) 255);
         }
+    }
+
+    /** Linear light of 32 bits: the sRGB curve makes 0.5 to 188 of 255. */
+    @Test
+    void graysOutsideOfTheirRangeAreClipped() throws IOException {
+        float[] grays = {-0.01f, 0.5f, 1.5f, Float.NaN, Float.POSITIVE_INFINITY, -1e30f};
+        BandedSampleModel floats = new BandedSampleModel(DataBuffer.TYPE_FLOAT, grays.length, 1, 1);
+        ComponentColorModel model = new ComponentColorModel(
+                ColorSpace.getInstance(ColorSpace.CS_GRAY), false, false, Transparency.OPAQUE, DataBuffer.TYPE_FLOAT);
+        WritableRaster raster = Raster.createWritableRaster(floats, null);
+        raster.setSamples(0, 0, grays.length, 1, 0, grays);
+        // The JDK's writer; others know no floats.
+        ImageWriter writer = ImageIO.getImageWritersByMIMEType("image/tiff").next();
+        for (var writers = ImageIO.getImageWritersByMIMEType("image/tiff"); writers.hasNext(); ) {
+            ImageWriter next = writers.next();
+            writer = next.getClass().getName().startsWith("com.sun.") ? next : writer;
+        }
+        try (FileImageOutputStream out = new FileImageOutputStream(file().toFile())) {
+            writer.setOutput(out);
+            writer.write(new BufferedImage(model, raster, false, null));
+        }
+
+        BodyTexture texture = BodyTexture.load(file().toString(), BlobCache.NONE);
+
+        assertThat(IntStream.range(0, grays.length).map(texture::color))
+                .containsExactly(0, 0xbcbcbc, 0xffffff, 0, 0xffffff, 0);
     }
 
     @Test
