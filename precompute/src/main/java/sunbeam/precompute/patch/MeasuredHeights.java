@@ -2,6 +2,7 @@ package sunbeam.precompute.patch;
 
 import static sunbeam.precompute.patch.PatchSettings.CHANNEL;
 import static sunbeam.precompute.patch.PatchSettings.COLUMNS;
+import static sunbeam.precompute.patch.PatchSettings.DECIMAL_MARK;
 import static sunbeam.precompute.patch.PatchSettings.HEIGHT;
 import static sunbeam.precompute.patch.PatchSettings.HEIGHT_UNIT;
 import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
@@ -9,6 +10,7 @@ import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.files.InputException;
@@ -20,6 +22,7 @@ import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanFormat;
+import sunbeam.precompute.scan.UnknownMark;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -39,11 +42,17 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         InputException.requireRegular(file);
         try (ScanBytes bytes = ScanBytes.open(file)) {
             ScanException.refuseIf(bytes.size() == 0, "is empty; copy or export it again");
-            ScanFormat reader = ScanFormat.find(bytes, choices.find(PatchSettings.DECIMAL_MARK))
+            ScanFormat reader = ScanFormat.find(bytes, choices.find(DECIMAL_MARK))
                     .orElseThrow(() -> new ScanException(
-                            "is neither an image nor a scan in a format that Sunbeam knows; open it with Gwyddion,"
-                                    + " which reads 170 others, and export it as .gwy, .gsf or text"));
+                            "is neither an image nor a scan in a format that Sunbeam knows; if another program, such as"
+                                    + " Gwyddion, opens it, export it there as .gwy, .gsf or text"));
             return of(file, reader, reader.open(bytes), choices);
+        } catch (UnknownMark ambiguous) {
+            throw new SettingException(
+                    DECIMAL_MARK,
+                    "is missing: " + file + " " + ambiguous.getMessage() + ", or give ",
+                    DECIMAL_MARK,
+                    " point if commas separate numbers, or comma");
         } catch (ScanException unusable) {
             throw new InputException(file + " " + unusable.getMessage(), unusable);
         } catch (IOException failure) {
@@ -53,22 +62,29 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
 
     private static MeasuredHeights of(Path file, ScanFormat reader, ChannelList channels, Choices choices)
             throws IOException {
+        Optional<Integer> only = choices.has(HEIGHT_UNIT) && channels.count() == 1 ? Optional.of(0) : Optional.empty();
         int index = choices.find(CHANNEL)
-                .map(wanted -> chosen(file, channels, wanted))
+                .map(wanted -> chosen(file, channels, wanted, choices.has(HEIGHT_UNIT)))
                 .or(channels::heights)
+                .or(() -> only)
                 .orElseThrow(() -> noHeights(file, channels));
         ScanChannel channel = inColumns(file, channels.channels().get(index), reader.isPicture(), choices);
-        HeightMap map = scaled(file, channel, choices);
+        List<String> notes = new ArrayList<>();
+        HeightMap map = scaled(file, channel, choices, notes);
         String label = channels.labels().get(index);
         String which = channels.count() == 1 && channel.name().isEmpty() ? "" : ", channel " + label;
         String source = file.getFileName() + " (" + reader.name() + which + "), " + map.describe();
         boolean several = !choices.has(CHANNEL) && channels.candidates() > 1;
-        List<String> notes =
-                several ? List.of("heights from channel " + label + "; the file has " + channels.names()) : List.of();
+        if (several) {
+            notes.add("heights from channel " + label + "; the file has " + channels.names());
+        }
+        if (channel.name().equals(ScanChannel.PROFILE)) {
+            notes.add("a profile of " + map.columns() + " heights: the surface is taken as constant along y");
+        }
         return new MeasuredHeights(map, source, channels.lines(), notes);
     }
 
-    private static int chosen(Path file, ChannelList channels, String wanted) {
+    private static int chosen(Path file, ChannelList channels, String wanted, boolean hasUnit) {
         String nearest = channels.nearest(wanted)
                 .map(name -> " (did you mean " + Text.quoted(name) + "?)")
                 .orElse("");
@@ -76,7 +92,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                 .orElseThrow(() -> new SettingException(
                         CHANNEL, "is no channel of " + file + ", which has " + channels.names() + nearest));
         ScanChannel channel = channels.channels().get(index);
-        if (!channel.maybeHeights()) {
+        if (!channel.maybeHeights() && !hasUnit) {
             throw new SettingException(
                     CHANNEL,
                     "holds no heights: " + file + " gives it in " + Text.quoted(channel.unit())
@@ -125,40 +141,63 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         return channel.reshape(columns.get(), (int) (samples.count() / columns.get()));
     }
 
-    /** Scales by the file's values, completed by choices, which may repeat but not contradict them. */
-    private static HeightMap scaled(Path file, ScanChannel channel, Choices choices) throws IOException {
-        Optional<Double> width = agreed(WIDTH, channel.extent().width(), choices.find(WIDTH), file);
-        Optional<Double> height = agreed(HEIGHT, channel.extent().height(), choices.find(HEIGHT), file);
-        Optional<Double> chosen = choices.find(HEIGHT_UNIT).flatMap(Extent::metersPer);
-        Optional<Double> unit = agreed(HEIGHT_UNIT, channel.metersPerUnit(), chosen, file);
-        Optional<Double> fullScale = agreed(MAX_HEIGHT, channel.metersPerUnit(), choices.find(MAX_HEIGHT), file);
+    /** Scales by the file's values, which choices complete, or overrule with a note. */
+    private static HeightMap scaled(Path file, ScanChannel channel, Choices choices, List<String> notes)
+            throws IOException {
+        Extent stated = channel.extent();
         boolean fromFullScale = channel.unit().equals(ScanChannel.FULL_SCALE);
         requireOne(choices, fromFullScale);
-        Optional<Double> metersPerUnit = unit.or(() -> fullScale);
+        Optional<Double> width = preferred(WIDTH, stated.width(), choices, notes);
+        Optional<Double> metersPerUnit = metersPerUnit(file, channel, choices, notes);
         if (width.isEmpty() || metersPerUnit.isEmpty()) {
             throw missing(file, width.isEmpty(), metersPerUnit.isEmpty(), fromFullScale);
         }
+        // A chosen width keeps the shape of the pixels.
+        double stretch = width.get() / stated.width().orElse(width.get());
+        Optional<Double> height = preferred(HEIGHT, stated.height().map(side -> side * stretch), choices, notes);
         double pitchX = width.get() / channel.columns();
-        double pitchY = height.map(side -> side / channel.rows())
-                .orElse(pitchX * channel.extent().aspect());
-        boolean own = channel.extent().width().isPresent();
-        Plausibility.requireSides(pitchX * channel.columns(), pitchY * channel.rows(), file, own);
+        double pitchY = height.map(side -> side / channel.rows()).orElse(pitchX * stated.aspect());
+        Plausibility.requireSides(width.get(), pitchY * channel.rows(), file, !choices.has(WIDTH));
         double[] heights = channel.samples().scale(metersPerUnit.get(), 0).read();
         HeightMap map = new HeightMap(channel.columns(), channel.rows(), pitchX, pitchY, heights);
-        Optional<Setting<?>> from = Optional.of(choices.has(HEIGHT_UNIT) ? HEIGHT_UNIT : MAX_HEIGHT);
-        Plausibility.requireRelief(
-                map, from.filter(scaled -> channel.metersPerUnit().isEmpty()), file);
+        Setting<?> from = choices.has(HEIGHT_UNIT) ? HEIGHT_UNIT : MAX_HEIGHT;
+        Plausibility.requireRelief(map, Optional.<Setting<?>>of(from).filter(choices::has), file);
         return map;
     }
 
-    private static Optional<Double> agreed(
-            Setting<?> setting, Optional<Double> known, Optional<Double> chosen, Path file) {
-        if (known.isPresent() && chosen.isPresent() && Math.abs(chosen.get() - known.get()) > SAME * known.get()) {
-            throw new SettingException(
-                    setting,
-                    "contradicts " + file + ", which says " + Lengths.format(known.get()) + " itself; leave it out");
+    /** Returns the choice, else what the file states. */
+    private static Optional<Double> preferred(
+            Setting<Double> setting, Optional<Double> stated, Choices choices, List<String> notes) {
+        Optional<Double> chosen = choices.find(setting);
+        if (chosen.isEmpty() || stated.isEmpty()) {
+            return chosen.or(() -> stated);
         }
-        return known.or(() -> chosen);
+        if (Math.abs(chosen.get() - stated.get()) <= SAME * stated.get()) {
+            return stated;
+        }
+        notes.add("the " + setting.words(" ") + " is " + Lengths.format(chosen.get())
+                + " as chosen, though the file says " + Lengths.format(stated.get()));
+        return chosen;
+    }
+
+    private static Optional<Double> metersPerUnit(Path file, ScanChannel channel, Choices choices, List<String> notes) {
+        Optional<Double> stated = channel.metersPerUnit();
+        Optional<Double> chosen = choices.find(HEIGHT_UNIT).flatMap(Extent::metersPer);
+        if (choices.has(MAX_HEIGHT)) {
+            if (Double.isNaN(channel.span())) {
+                throw new SettingException(
+                        MAX_HEIGHT,
+                        "is for an image's full scale, but " + file + " has heights in " + channel.unit()
+                                + "; leave it out, or overrule the unit with ",
+                        HEIGHT_UNIT);
+            }
+            chosen = choices.find(MAX_HEIGHT).map(height -> height / channel.span());
+        }
+        boolean states = !channel.unit().isEmpty() && !channel.unit().equals(ScanChannel.FULL_SCALE);
+        if (states && chosen.isPresent() && !chosen.equals(stated)) {
+            notes.add("the heights are scaled as chosen, though the file says that they are in " + channel.unit());
+        }
+        return chosen.or(() -> stated);
     }
 
     private static void requireOne(Choices choices, boolean fromFullScale) {

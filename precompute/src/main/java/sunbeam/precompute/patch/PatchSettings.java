@@ -14,12 +14,12 @@ import sunbeam.precompute.setting.ValueKind;
 /** Settings of a patch. Their limits refuse nanometers typed for micrometers. */
 public final class PatchSettings {
     /** Meters. */
-    public static final Setting<Double> WIDTH =
-            side("width", "Extent along x of an image, or of another file without a size, for example 65um.");
+    public static final Setting<Double> WIDTH = side(
+            "width", "Extent along x of an image, or of another file without or with a wrong size, for example 65um.");
 
     /** Meters. */
     public static final Setting<Double> HEIGHT =
-            side("height", "Extent along y of such a file. Default: square pixels.");
+            side("height", "Extent along y of such a file. Default: the file's shape of pixels, else square ones.");
 
     /** Meters; of 255 for 8 bits, 65535 for 16 bits, 1.0 for floats and numbers without unit. */
     public static final Setting<Double> MAX_HEIGHT = new Setting<>(
@@ -44,7 +44,7 @@ public final class PatchSettings {
             "heightUnit",
             ValueKind.oneOf("UNIT", List.of("pm", "nm", "um", "mm", "m"), unit -> unit)
                     .alsoWritten(Map.of("\u00b5m", "um", "\u03bcm", "um")),
-            "Unit of the heights of a file without one: pm, nm, um, mm or m.");
+            "Unit of the heights of a file without one, or with a wrong one: pm, nm, um, mm or m.");
 
     public static final Setting<Integer> COLUMNS = new Setting<>(
             "columns",
@@ -108,6 +108,6 @@ public final class PatchSettings {
     private PatchSettings() {}
 
     private static Setting<Double> side(String key, String help) {
-        return new Setting<>(key, ValueKind.length(1e-9, 0.1), help);
+        return new Setting<>(key, ValueKind.length(1e-9, 1), help);
     }
 }

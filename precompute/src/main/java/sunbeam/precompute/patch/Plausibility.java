@@ -30,7 +30,9 @@ public final class Plausibility {
     /** Meters; a smaller patch has no diffraction orders of visible light. */
     static final double SHORTEST_LONG_SIDE = 100e-9;
 
-    static final double LONGEST_SIDE = 0.1;
+    /** Meters; the apertures of large interferometers, and wafers, have 0.3. */
+    static final double LONGEST_SIDE = 1;
+
     private static final double LARGEST_RELIEF = 1e-3;
     static final double SMALLEST_RELIEF = 1e-12;
     /** Meters; a smaller relief scatters a few ten-thousandths of the light, as a mirror. */
@@ -59,7 +61,9 @@ public final class Plausibility {
         if (!(longSide >= SHORTEST_LONG_SIDE && longSide <= LONGEST_SIDE)) {
             String sides = Lengths.format(width) + " x " + Lengths.format(height) + "; a patch's longer side is "
                     + Lengths.format(SHORTEST_LONG_SIDE) + " to " + Lengths.format(LONGEST_SIDE);
-            InputException.refuseIf(own, file + " claims to be " + sides + "; its scale is wrong, export it again");
+            InputException.refuseIf(
+                    own,
+                    file + " claims to be " + sides + "; if its unit is wrong, name the right width, else crop it");
             throw new SettingException(
                     PatchSettings.WIDTH, "is absurd: " + file + " would be " + sides + " (is the unit right?)");
         }
@@ -77,7 +81,8 @@ public final class Plausibility {
         if (flat || relief > LARGEST_RELIEF || relief > STEEPEST_RELIEF * longSide) {
             String absurd = "a relief of " + Lengths.format(relief) + " on a patch of " + Lengths.format(longSide)
                     + ", which is absurd" + (flat ? ": less than a hundredth of an atom" : "");
-            InputException.refuseIf(from.isEmpty(), file + " has " + absurd + "; its scale is wrong, export it again");
+            InputException.refuseIf(
+                    from.isEmpty(), file + " has " + absurd + "; if its unit is wrong, name the right one");
             throw new SettingException(from.orElseThrow(), "makes " + absurd + "; check both units");
         }
     }

@@ -17,7 +17,7 @@ import sunbeam.precompute.text.Text;
 public record ChannelList(List<ScanChannel> channels) {
     private static final int MOST_NAMED = 12;
     // Five times as many as any instrument records at once.
-    private static final int MOST_CHANNELS = 256;
+    static final int MOST_CHANNELS = 256;
 
     // Words in vendors' names, lower-case: of channels without heights, with heights, from position sensors.
     private static final Pattern OTHER = Pattern.compile(

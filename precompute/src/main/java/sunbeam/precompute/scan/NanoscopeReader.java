@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -147,7 +148,7 @@ final class NanoscopeReader {
 
     /**
      * Parses "500 500 nm", "500 nm" or "10 5 ~m" (micrometers), the size of the complete scan. If both sides are equal or one is missing, the
-     * height follows from the aspect ratio (width over height), or else from square pixels.
+     * height follows from the aspect ratio (width over height, "2:1" or "2"), or else from square pixels.
      */
     private static Extent extent(Header common, Header image, Samples samples) {
         String[] words = image.text("scan size", common.text("scan size", "")).split("\\s+", -1);
@@ -165,8 +166,13 @@ final class NanoscopeReader {
     }
 
     private static double ratio(String text) {
-        String[] sides = text.split("\\s*:\\s*", -1);
-        double ratio = sides.length == 2 ? number(sides[0]) / number(sides[1]) : 0;
+        double[] sides = Stream.of(text.split("\\s*:\\s*", -1))
+                .mapToDouble(side -> Header.Quantity.of(side)
+                        .filter(number -> number.unit().isEmpty())
+                        .map(Header.Quantity::value)
+                        .orElse(0.0))
+                .toArray();
+        double ratio = sides.length > 2 ? 0 : sides.length == 2 ? sides[0] / sides[1] : sides[0];
         ScanException.refuseIf(
                 !(ratio > 0) || Double.isInfinite(ratio),
                 "has an aspect ratio of " + Text.quoted(text) + "; the file is damaged, export it again");

@@ -13,8 +13,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -51,7 +49,6 @@ final class PictureReader {
     private static final int ALPHA = 2;
     // Bits of the tag NewSubfileType for a reduced copy and for a mask.
     private static final int NO_IMAGE = 1 | 4;
-    private static final Pattern UNIT = Pattern.compile("(?s)ImageJ=.*?\nunit=(\\V*).*");
 
     private PictureReader() {}
 
@@ -68,8 +65,8 @@ final class PictureReader {
             return kind.equals("tiff") ? tiff(file) : channels(decoded(file, kind));
         } catch (ScanException refused) {
             throw refused;
-        } catch (IOException | RuntimeException broken) {
-            // Decoders throw many kinds of exceptions.
+        } catch (IOException | RuntimeException | StackOverflowError | OutOfMemoryError | AssertionError broken) {
+            // Decoders throw many kinds of exceptions and errors.
             throw new ScanException(
                     "is damaged or of a kind that cannot be read; export the scan again as PNG or TIFF", broken);
         }
@@ -164,7 +161,7 @@ final class PictureReader {
 
     /**
      * Reads TIFF pictures: gray, RGB or with a palette, integers or floats. Each page has its own channels; reduced copies and masks are
-     * skipped. ImageJ writes pixels per unit of length as the resolution; other programs' resolutions are for printers and ignored.
+     * skipped.
      */
     private static List<ScanChannel> tiff(ScanBytes file) throws IOException {
         List<TiffPage> all = TiffPage.read(file);
@@ -172,12 +169,11 @@ final class PictureReader {
                 .filter(page -> ((int) page.number(TIFF.TAG_SUBFILE_TYPE, 0) & NO_IMAGE) == 0)
                 .toList();
         List<TiffPage> pages = images.isEmpty() ? all.subList(0, 1) : images;
-        Matcher unit = UNIT.matcher(all.get(0).text(TIFF.TAG_IMAGE_DESCRIPTION));
-        String lengthUnit = unit.matches() ? unit.group(1).replace("\\u00B5", "u") : "";
-        List<ScanChannel> channels = new ArrayList<>(tiffPage(pages.get(0), lengthUnit, pages.size() > 1));
+        TiffScale scale = TiffScale.of(all.get(0));
+        List<ScanChannel> channels = new ArrayList<>(tiffPage(pages.get(0), scale, pages.size() > 1));
         for (TiffPage page : pages.subList(1, pages.size())) {
             try {
-                channels.addAll(tiffPage(page, lengthUnit, true));
+                channels.addAll(tiffPage(page, scale, true));
             } catch (ScanException unreadable) {
                 // Such as a preview; the others may do.
             }
@@ -185,7 +181,7 @@ final class PictureReader {
         return channels;
     }
 
-    private static List<ScanChannel> tiffPage(TiffPage page, String unit, boolean several) throws IOException {
+    private static List<ScanChannel> tiffPage(TiffPage page, TiffScale scale, boolean several) throws IOException {
         int interpretation = (int) page.number(TIFF.TAG_PHOTOMETRIC_INTERPRETATION, BLACK_IS_ZERO);
         ScanException.refuseIf(
                 interpretation < WHITE_IS_ZERO || interpretation > PALETTE,
@@ -211,7 +207,25 @@ final class PictureReader {
         Optional<Samples> alpha = bands.stream().skip(colors).findFirst().filter(band -> extra == ALPHA);
         String prefix = several ? "page " + (page.index() + 1) + " " : "";
         String ofSamples = page.isFloat() ? "" : ScanChannel.FULL_SCALE;
-        return channels(prefix, bands.subList(0, colors), alpha, extent(page, unit, bands.get(0)), ofSamples);
+        Extent extent = scale.extent(page, bands.get(0));
+        Optional<TiffScale.Calibration> calibration =
+                colors == 1 ? scale.calibration(page.isFloat()) : Optional.empty();
+        if (calibration.isEmpty()) {
+            return channels(prefix, bands.subList(0, colors), alpha, extent, ofSamples);
+        }
+        ScanException.refuseIf(
+                sign < 0, "has calibrated samples whose white is 0; save it with an upright scale of grays");
+        double span = fullScale * calibration.get().factor();
+        Samples values = bands.get(0).scale(span, calibration.get().offset());
+        return channels(
+                        prefix,
+                        List.of(values),
+                        alpha,
+                        extent,
+                        calibration.get().unit())
+                .stream()
+                .map(channel -> page.isFloat() ? channel : channel.withSpan(span))
+                .toList();
     }
 
     /** Palettes have 16 bits; some programs write 8. */
@@ -222,13 +236,5 @@ final class PictureReader {
                 .mapToObj(color -> indices.map(
                         index -> index < length ? palette[color * length + (int) index] / fullScale : Double.NaN))
                 .toList();
-    }
-
-    private static Extent extent(TiffPage page, String unit, Samples samples) {
-        double perUnitX = page.number(TIFF.TAG_X_RESOLUTION, 0);
-        double perUnitY = page.number(TIFF.TAG_Y_RESOLUTION, perUnitX);
-        return Extent.metersPer(unit).isPresent() && perUnitX > 0 && perUnitY > 0
-                ? Extent.ofPitches(1 / perUnitX, 1 / perUnitY, unit, samples)
-                : Extent.UNKNOWN;
     }
 }

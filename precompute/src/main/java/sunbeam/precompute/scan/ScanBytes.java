@@ -143,6 +143,10 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
             return int32() & 0xffff_ffffL;
         }
 
+        public long int64() throws IOException {
+            return next(Long.BYTES).getLong();
+        }
+
         public double float32() throws IOException {
             return next(Float.BYTES).getFloat();
         }

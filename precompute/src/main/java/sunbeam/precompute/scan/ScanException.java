@@ -3,7 +3,7 @@ package sunbeam.precompute.scan;
 import sunbeam.precompute.text.Text;
 
 /** Refusal of a scan file. The message continues the file's name: "ends after 100 bytes; copy it again". */
-public final class ScanException extends RuntimeException {
+public class ScanException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
     public ScanException(String message) {

@@ -28,7 +28,19 @@ public record ScanFormat(String name, Reading<Boolean> check, Reading<List<ScanC
             new ScanFormat("ISO 25178-72 (.x3p)", SurfaceDataReaders::isX3p, SurfaceDataReaders::x3p),
             new ScanFormat("JPK", InstrumentReaders::isJpk, InstrumentReaders::jpk),
             new ScanFormat("Park Systems TIFF", InstrumentReaders::isPark, InstrumentReaders::park),
-            new ScanFormat("Igor binary wave (.ibw)", BinaryHeaderReaders::isIgorWave, BinaryHeaderReaders::igorWave));
+            new ScanFormat("Igor binary wave (.ibw)", BinaryHeaderReaders::isIgorWave, BinaryHeaderReaders::igorWave),
+            ScanFormat.of("Wyko (.opd)", OpticalReaders::wyko, "\1\0Directory"),
+            ScanFormat.of("Wyko ASCII (.asc)", OpticalReaders::wykoText, "Wyko ASCII Data File Format"),
+            ScanFormat.of(
+                    "Zygo MetroPro (.dat)",
+                    OpticalReaders::metroPro,
+                    "\u0088\u001b\u0003o",
+                    "\u0088\u001b\u0003p",
+                    "\u0088\u001b\u0003q"),
+            ScanFormat.of("Alicona (.al3d)", OpticalReaders::alicona, "AliconaImaging\0\r\n"),
+            ScanFormat.of("Keyence (.vk4)", OpticalReaders::keyence, "VK3_", "VK4_", "VK6", "VK7"),
+            new ScanFormat("BCR-STM (.bcr, .bcrf)", OpticalReaders::isBcr, OpticalReaders::bcr),
+            new ScanFormat("Sensofar (.plu)", OpticalReaders::isSensofar, OpticalReaders::sensofar));
 
     /**
      * Fast test whether a file has the format, which throws no exception for any content; or reader of the channels from its header, whose samples

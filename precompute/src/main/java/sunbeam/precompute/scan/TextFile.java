@@ -95,12 +95,11 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 && !SIGNED.matcher(numbers).find();
     }
 
-    /** Throws ScanException if the numbers cannot be told apart, or are none. */
+    /** Throws ScanException if the numbers are none, {@link UnknownMark} if they cannot be told apart. */
     TextNumbers numbers() throws IOException {
-        ScanException.refuseIf(
-                ambiguous,
-                "has commas and points in a line, as thousands separators are; export it without them, or choose the"
-                        + " decimal mark (--decimal-mark point: commas separate numbers)");
+        if (ambiguous) {
+            throw new UnknownMark();
+        }
         // A single line, which is held as text, may contain all numbers.
         Samples.requireMemory(0, file.size());
         BufferedReader reader = new BufferedReader(new InputStreamReader(file.stream(0), charset));
@@ -121,18 +120,52 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 .orElse(Double.NaN);
     }
 
-    /** Facts of a text's header, under the keys of Gwyddion, SPIP, Park's XEI and WSxM. */
-    record Facts(String channel, Optional<Integer> columns, Optional<Integer> rows, Extent extent, String unit) {
+    /**
+     * Facts of a text's header, under the keys of Gwyddion, SPIP, Park's XEI, WSxM, ESRI's grids and Lyncee Tec's DHM.
+     *
+     * @param side width and height, if they are stated
+     * @param factor of the numbers to the unit
+     */
+    record Facts(
+            String channel,
+            Optional<Integer> columns,
+            Optional<Integer> rows,
+            Extent side,
+            Optional<Pitches> pitches,
+            double factor,
+            String unit) {
+        /** Distances of columns and of rows, with their units, which may be empty. */
+        private record Pitches(Header.Quantity x, Header.Quantity y) {}
+
+        // ESRI writes no sign between key and value.
+        private static final Pattern GRID =
+                Pattern.compile("(?i)\\s*(ncols|nrows|cellsize|dx|dy|xdim|ydim)\\s+(\\S{1,30})\\s*");
+        private static final Pattern SIZE = Pattern.compile("(?i)\\s*h\\s*=\\s*(\\d{1,7})\\s+w\\s*=\\s*(\\d{1,7})\\s*");
+        private static final Pattern CONVERSION =
+                Pattern.compile("(?i)(?:height|z) conversion factor \\(-> ?(\\S+)\\)");
         private static final Pattern LINE =
                 Pattern.compile("[#%;*/\\s\"]*([^:=]{1,60}?)\\s*[:=]\\s*(.{0,200}?)[\\s\"]*");
 
         private static final List<String> CHANNEL = List.of("channel", "name", "title");
-        private static final List<String> COLUMNS = List.of("x-pixels", "image width", "columns", "number of columns");
-        private static final List<String> ROWS = List.of("y-pixels", "image height", "rows", "number of rows");
+        private static final List<String> COLUMNS =
+                List.of("x-pixels", "image width", "columns", "number of columns", "ncols");
+        private static final List<String> ROWS = List.of("y-pixels", "image height", "rows", "number of rows", "nrows");
         private static final List<String> WIDTH =
                 List.of("width", "real width", "x-length", "x amplitude", "scan size x");
         private static final List<String> HEIGHT =
                 List.of("height", "real height", "y-length", "y amplitude", "scan size y");
+        private static final List<String> PITCH_X = List.of(
+                "x pixel size",
+                "pixel size x",
+                "pixel size",
+                "pixel_size",
+                "pixel width",
+                "x-pitch",
+                "dx",
+                "xdim",
+                "cellsize");
+        private static final List<String> PITCH_Y =
+                List.of("y pixel size", "pixel size y", "pixel height", "y-pitch", "dy", "ydim");
         private static final List<String> SIDE_UNIT = List.of("x-unit", "xy-unit", "xyunits", "length unit");
         private static final List<String> UNIT =
                 List.of("value units", "z-unit", "z unit", "zunits", "data unit", "height unit", "unit", "units");
@@ -140,11 +173,25 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         static Facts of(List<String> lines) {
             Header header = new Header();
             List<String> inOrder = new ArrayList<>();
+            double factor = 1;
+            String converted = "";
             for (String line : lines) {
+                Matcher grid = GRID.matcher(line);
+                Matcher size = SIZE.matcher(line);
                 Matcher matcher = LINE.matcher(line);
-                if (matcher.matches()) {
+                if (grid.matches()) {
+                    header.put(grid.group(1).toLowerCase(Locale.ROOT), grid.group(2));
+                } else if (size.matches()) {
+                    header.put("rows", size.group(1));
+                    header.put("columns", size.group(2));
+                } else if (matcher.matches()) {
                     header.put(matcher.group(1).toLowerCase(Locale.ROOT), matcher.group(2));
                     inOrder.add(matcher.group(2));
+                    Matcher conversion = CONVERSION.matcher(matcher.group(1));
+                    if (conversion.matches()) {
+                        factor = header.number(matcher.group(1).toLowerCase(Locale.ROOT));
+                        converted = conversion.group(1);
+                    }
                 }
             }
             // SPIP's own files give lengths in nm without a unit.
@@ -154,19 +201,58 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
             Optional<Double> width = first(header, WIDTH).flatMap(key -> header.meters(key, sideUnit));
             Optional<Double> height = first(header, HEIGHT).flatMap(key -> header.meters(key, sideUnit));
             Optional<String> unit = first(header, UNIT).flatMap(header::find);
+            String channel = first(header, CHANNEL).flatMap(header::find).orElse("");
             if ((width.isEmpty() || unit.isEmpty()) && inOrder.size() == 4) {
                 // Gwyddion's four lines (channel, width, height, unit) have keys in the user's language.
                 Optional<Double> second = Header.Quantity.of(inOrder.get(1)).flatMap(some -> some.meters(""));
                 Optional<Double> third = Header.Quantity.of(inOrder.get(2)).flatMap(some -> some.meters(""));
                 if (second.isPresent() && third.isPresent()) {
-                    Extent extent = new Extent(second, third, 1);
-                    return new Facts(inOrder.get(0), Optional.empty(), Optional.empty(), extent, inOrder.get(3));
+                    channel = inOrder.get(0);
+                    width = second;
+                    height = third;
+                    unit = Optional.of(inOrder.get(3));
                 }
             }
-            String channel = first(header, CHANNEL).flatMap(header::find).orElse("");
-            Optional<Integer> columns = first(header, COLUMNS).map(header::count);
-            Optional<Integer> rows = first(header, ROWS).map(header::count);
-            return new Facts(channel, columns, rows, new Extent(width, height, 1), unit.orElse(""));
+            return new Facts(
+                    channel,
+                    first(header, COLUMNS).map(header::count),
+                    first(header, ROWS).map(header::count),
+                    new Extent(width, height, 1),
+                    pitches(header, sideUnit),
+                    factor,
+                    converted.isEmpty() ? unit.orElse("") : converted);
+        }
+
+        private static Optional<Pitches> pitches(Header header, String otherwise) {
+            Optional<Header.Quantity> x = first(header, PITCH_X).map(key -> pitch(header, key, otherwise));
+            Optional<Header.Quantity> y = first(header, PITCH_Y).map(key -> pitch(header, key, otherwise));
+            return x.isEmpty() && y.isEmpty()
+                    ? Optional.empty()
+                    : Optional.of(new Pitches(x.orElseGet(y::get), y.orElseGet(x::get)));
+        }
+
+        private static Header.Quantity pitch(Header header, String key, String otherwise) {
+            Header.Quantity stated = header.quantity(key);
+            return stated.unit().isEmpty() ? new Header.Quantity(stated.value(), otherwise) : stated;
+        }
+
+        boolean areOfMatrix() {
+            return side.width().isPresent() || columns.isPresent();
+        }
+
+        /** Returns the stated sides; a missing one follows from the pitches, of which the ratio counts if they are not in meters. */
+        Extent extent(Samples samples) {
+            if (pitches.isEmpty()) {
+                return side;
+            }
+            Header.Quantity x = pitches.get().x();
+            Header.Quantity y = pitches.get().y();
+            double perX = Extent.metersPer(x.unit()).orElse(1.0);
+            double perY = Extent.metersPer(y.unit()).orElse(x.unit().equals(y.unit()) ? perX : 1.0);
+            Extent own = Extent.ofPitches(x.value(), y.value() * perY / perX, x.unit(), samples);
+            return side.width().isEmpty()
+                    ? own
+                    : new Extent(side.width(), side.height(), y.value() * perY / (x.value() * perX));
         }
 
         private static Optional<String> first(Header header, List<String> names) {

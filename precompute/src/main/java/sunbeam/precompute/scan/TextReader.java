@@ -19,6 +19,12 @@ public final class TextReader {
         COMMA
     }
 
+    private static final int PROFILE = 2;
+    /** Samples of the surface of a profile, about: a square one of 1024 x 1024, fewer rows of a longer profile. */
+    private static final int PROFILE_SAMPLES = 1 << 20;
+
+    private static final Pattern TWO_AXES =
+            Pattern.compile("[^\\[(]{0,60}[\\[(]([^\\])]*)[\\])][^\\[(]{0,60}[\\[(]([^\\])]*)[\\])][^\\[(]{0,60}");
     private static final int POINT = 3;
     // Lines from which on three numbers each must be points, no matrix.
     private static final int SURELY_POINTS = 16;
@@ -35,10 +41,41 @@ public final class TextReader {
     static List<ScanChannel> channels(TextFile text) throws IOException {
         TextFile.Facts facts = TextFile.Facts.of(text.header());
         TextNumbers numbers = text.numbers();
-        boolean matrix = facts.extent().width().isPresent() || facts.columns().isPresent();
-        boolean three = numbers.columns == POINT && numbers.ragged.isEmpty() && numbers.rows > POINT;
-        Optional<ScanChannel> points = three && !matrix ? points(text, numbers) : Optional.empty();
+        boolean list = !facts.areOfMatrix() && numbers.ragged.isEmpty();
+        if (list && numbers.columns == PROFILE && numbers.rows > 2) {
+            return List.of(profile(text, facts, numbers));
+        }
+        boolean three = list && numbers.columns == POINT && numbers.rows > POINT;
+        Optional<ScanChannel> points = three ? points(text, numbers) : Optional.empty();
         return List.of(points.orElseGet(() -> matrix(facts, numbers, text.missing())));
+    }
+
+    /** Returns heights beside evenly spaced places as a surface that is constant along y. */
+    private static ScanChannel profile(TextFile text, TextFile.Facts facts, TextNumbers numbers) {
+        double[] places = numbers.column(0);
+        ScanException.refuseIf(
+                !isEvenlySpaced(places, 0, 1, places.length),
+                "has two columns, of which the first has no evenly spaced places: it is no profile of "
+                        + FEWEST_EVENLY_SPACED + " heights or more; interpolate them, or export the whole image");
+        Matcher axes = text.header().stream()
+                .map(TWO_AXES::matcher)
+                .filter(Matcher::matches)
+                .findFirst()
+                .orElseGet(() -> TWO_AXES.matcher("[] []"));
+        boolean named = axes.matches();
+        int columns = places.length;
+        double step = (places[columns - 1] - places[0]) / (columns - 1);
+        Samples samples = new Samples(columns, Math.min(columns, Math.max(2, PROFILE_SAMPLES / columns)), () -> {
+            double[] heights = numbers.column(1);
+            double[] all = new double[columns * Math.min(columns, Math.max(2, PROFILE_SAMPLES / columns))];
+            Arrays.setAll(all, i -> heights[i % columns]);
+            return all;
+        });
+        Samples upwards = step < 0 ? samples.flipColumns() : samples;
+        Extent extent = Extent.ofPitches(Math.abs(step), Math.abs(step), named ? axes.group(1) : "", samples);
+        String unit = named ? axes.group(2) : "";
+        return new ScanChannel(
+                ScanChannel.PROFILE, upwards.withMissing(text.missing()), extent, unit.isEmpty() ? facts.unit() : unit);
     }
 
     private static ScanChannel matrix(TextFile.Facts facts, TextNumbers numbers, double missing) {
@@ -57,14 +94,12 @@ public final class TextReader {
             refuseCoordinates(heights, columns, rows);
             return heights;
         });
-        return new ScanChannel(facts.channel(), samples.withMissing(missing), facts.extent(), facts.unit());
+        Samples heights = samples.withMissing(missing).scale(facts.factor(), 0);
+        return new ScanChannel(facts.channel(), heights, facts.extent(samples), facts.unit());
     }
 
-    /** Refuses profiles, and a first column or row of coordinates or row numbers. */
+    /** Refuses a first column or row of coordinates or row numbers. */
     private static void refuseCoordinates(double[] heights, int columns, int rows) {
-        ScanException.refuseIf(
-                columns == 2 && rows > 2,
-                "has two columns, places and heights: a profile is no surface; export the whole image");
         // The corner, where the first column and row meet, is left out.
         boolean column = columns > 1
                 && isEvenlySpaced(heights, columns, columns, rows - 1)

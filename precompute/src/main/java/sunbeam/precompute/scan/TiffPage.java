@@ -10,8 +10,10 @@ import java.awt.image.Raster;
 import java.io.File;
 import java.io.IOException;
 import java.lang.reflect.Array;
+import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -33,6 +35,9 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     // None, LZW, ZIP (two codes) and PackBits.
     private static final Set<Integer> LOSSLESS = Set.of(UNCOMPRESSED, 5, 8, 32_946, 32_773);
     private static final int MAX_BANDS = 4;
+    private static final int GDAL_NO_DATA = 42_113;
+    // Number in the head of a BigTIFF file; TIFF has 42.
+    private static final int BIG_TIFF = 43;
 
     /** True if a tag is on the first {@code pages} pages; false for unreadable files. */
     static boolean has(ScanBytes file, int pages, int tag) throws IOException {
@@ -45,23 +50,44 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     }
 
     static List<TiffPage> read(ScanBytes file) throws IOException {
+        ChannelList.requireCount(pageCount(file));
         List<TiffPage> pages = new ArrayList<>();
         try (ImageInputStream in = new BoundedInput(file.path().toFile())) {
             CompoundDirectory all = (CompoundDirectory) new TIFFReader().read(in);
-            ChannelList.requireCount(all.directoryCount());
             for (int i = 0; i < all.directoryCount(); i++) {
                 pages.add(new TiffPage(file, i, all.getDirectory(i)));
             }
         } catch (ScanException refused) {
             throw refused;
-        } catch (IOException | RuntimeException broken) {
+        } catch (IOException | RuntimeException | StackOverflowError | OutOfMemoryError | AssertionError broken) {
             throw damaged(broken);
         }
         ScanException.refuseIf(pages.isEmpty(), "has no TIFF page; copy or export it again");
         return pages;
     }
 
-    private static ScanException damaged(Exception broken) {
+    /** Counts the pages up to the first that is too many, damaged or a repetition, before the library reads all their tags. */
+    private static int pageCount(ScanBytes file) throws IOException {
+        Set<Long> pages = new HashSet<>();
+        try {
+            byte[] head = file.read(0, 4).array();
+            ScanBytes.Cursor cursor = file.cursor(4, head[0] == 'M' ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
+            boolean big = head[2] + head[3] == BIG_TIFF;
+            cursor.skip(big ? 4 : 0);
+            long page = big ? cursor.int64() : cursor.unsigned32();
+            while (page != 0 && pages.add(page) && pages.size() <= ChannelList.MOST_CHANNELS) {
+                long tags = big ? cursor.at(page).int64() : cursor.at(page).unsigned16();
+                file.requireInside(page, tags);
+                cursor.skip(tags * (big ? 20 : 12));
+                page = big ? cursor.int64() : cursor.unsigned32();
+            }
+        } catch (ScanException damaged) {
+            // The library reports it.
+        }
+        return pages.size();
+    }
+
+    private static ScanException damaged(Throwable broken) {
         return new ScanException(
                 "is a damaged TIFF, or of a kind that cannot be read; copy it again, or save it as gray with ZIP or without compression",
                 broken);
@@ -131,10 +157,19 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         Samples stored = new Samples(
                 columns(), rows(), () -> raster().getSamples(0, 0, columns(), rows(), band, new double[count]));
         if (bits() == 8 && format() == SIGNED) {
-            return stored.map(sample -> (byte) sample);
+            return stored.map(sample -> (byte) sample).withMissing(missing());
         }
         boolean unsigned32 = bits() == 32 && format() == UNSIGNED;
-        return unsigned32 ? stored.map(sample -> sample < 0 ? sample + 0x1p32 : sample) : stored;
+        return (unsigned32 ? stored.map(sample -> sample < 0 ? sample + 0x1p32 : sample) : stored)
+                .withMissing(missing());
+    }
+
+    /** Returns the sample that GDAL declares as missing; NaN if there is none. */
+    private double missing() {
+        double mark = Header.Quantity.of(text(GDAL_NO_DATA).strip())
+                .map(Header.Quantity::value)
+                .orElse(Double.NaN);
+        return isFloat() && bits() == 32 ? (float) mark : mark;
     }
 
     private Raster raster() {
@@ -142,7 +177,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         try (ImageInputStream in = ImageIO.createImageInputStream(file.path().toFile())) {
             reader.setInput(in);
             return reader.readRaster(index, null);
-        } catch (IOException | RuntimeException broken) {
+        } catch (IOException | RuntimeException | StackOverflowError | OutOfMemoryError | AssertionError broken) {
             throw damaged(broken);
         } finally {
             reader.dispose();

@@ -20,6 +20,7 @@ import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.Random;
 import java.util.function.IntToDoubleFunction;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -61,10 +62,7 @@ class HeightMapsTest {
     @CsvSource(delimiter = '|', emptyValue = "", textBlock = """
             scale   | channel=Hight          | Setting | scan.txt, which has Height (did you mean "Height"?)
             scale   | channel=Phase          | Setting | scan.txt, which has Height
-            scale   | width=5um              | Setting | contradicts & says 4 um
-            scale   | height=5um             | Setting | contradicts & says 3 um
-            scale   | heightUnit=um          | Setting | contradicts & says 1 nm
-            scale   | maxHeight=2nm          | Setting | contradicts & says 1 nm
+            scale   | maxHeight=2nm          | Setting | has heights in nm & overrule the unit with --height-unit
             numbers | ''                     | Input   | --width 20um and --height-unit nm
             numbers | width=4um              | Input   | in which unit its heights are; add for example --height-unit nm
             numbers | heightUnit=nm          | Input   | how large the scan is; add for example --width 20um
@@ -98,6 +96,58 @@ class HeightMapsTest {
         assertThat(map.height()).isCloseTo(3e-6, within(1e-20));
         assertThat(map.at(1, 2)).isCloseTo(90e-9, within(1e-22));
         assertThat(map.digest()).isEqualTo(load(file).scan().digest());
+    }
+
+    @Test
+    void settingsOverruleTheFileWithANote() throws IOException {
+        Path file = file(HEADER + NUMBERS);
+        Patch wide = load(file, WIDTH, "8um");
+        // The pixels keep their shape.
+        assertThat(wide.scan().height()).isCloseTo(6e-6, within(1e-20));
+        assertThat(wide.notes()).containsExactly("the width is 8 um as chosen, though the file says 4 um");
+        Patch high = load(file, HEIGHT, "5um");
+        assertThat(high.scan().width()).isCloseTo(4e-6, within(1e-20));
+        assertThat(high.scan().height()).isCloseTo(5e-6, within(1e-20));
+        assertThat(high.notes()).containsExactly("the height is 5 um as chosen, though the file says 3 um");
+        Patch other = load(file, HEIGHT_UNIT, "pm");
+        assertThat(other.scan().at(1, 2)).isCloseTo(90e-12, within(1e-25));
+        assertThat(other.notes())
+                .containsExactly("the heights are scaled as chosen, though the file says that they are in nm");
+        Path volts = file((HEADER + NUMBERS).replace("units: nm", "units: V"));
+        assertThat(load(volts, HEIGHT_UNIT, "nm").scan().at(1, 2)).isCloseTo(90e-9, within(1e-22));
+    }
+
+    @Test
+    void thousandsAreToldByTheNameThatTheUserKnows() throws IOException {
+        file("# Width: 8 um\n# Value units: nm\n1,000.0 1,011.1 \n1,022.2 1,033.3 \n");
+        assertThatThrownBy(() -> load(folder.resolve("scan.txt")))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("or give --decimal-mark point");
+        Path descriptor = Files.writeString(folder.resolve("scan.json"), "{\"heights\": \"scan.txt\"}");
+        assertThatThrownBy(() -> PatchRequests.load(descriptor))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("or give decimalMark point")
+                .hasMessageNotContaining("--");
+    }
+
+    @Test
+    void aProfileIsToldAndReadAsASurface() throws IOException {
+        String rows = IntStream.range(0, 64)
+                .mapToObj(i -> 0.25 * i + " " + 50 * Math.sin(i) + "\n")
+                .collect(Collectors.joining());
+        Patch profile = load(file(rows), WIDTH, "16um", HEIGHT_UNIT, "nm");
+
+        assertThat(profile.scan().width()).isCloseTo(16e-6, within(1e-20));
+        assertThat(profile.scan().height()).isCloseTo(16e-6, within(1e-18));
+        assertThat(profile.notes())
+                .containsExactly("a profile of 64 heights: the surface is taken as constant along y");
+    }
+
+    /** The aperture of an interferometer. */
+    @Test
+    void aSurfaceOfDecimetersIsRead() throws IOException {
+        String large = HEADER.replace("4.0 um", "151 mm").replace("3.0 um", "113 mm");
+        assertThat(load(file(large + NUMBERS)).scan().width()).isCloseTo(0.151, within(1e-15));
     }
 
     @Test

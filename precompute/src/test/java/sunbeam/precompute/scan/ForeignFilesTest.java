@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.net.URISyntaxException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -22,6 +23,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** TIFF files of one surface, written by Python's tifffile; and real files of instruments, if shared/ is present. */
@@ -83,6 +85,50 @@ class ForeignFilesTest {
             // Resolutions are fractions of 32-bit integers.
             assertThat(channel.extent().width().orElseThrow()).isCloseTo(COLUMNS / 12.8e6, within(1e-14));
             assertThat(channel.extent().height().orElseThrow()).isCloseTo(ROWS / 6.4e6, within(1e-14));
+        }
+    }
+
+    /** Pixels of 1/12.8 um by 156.25 nm in OME's XML and ImageJ's units; of 2 by 4 without unit in GeoTIFF. */
+    @ParameterizedTest
+    @CsvSource({"imagej-two-units, true", "ome, true", "gdal-missing, false"})
+    void takesTheShapeOfPixelsAsItIsDeclared(String name, boolean sized) throws Exception {
+        try (ScanBytes bytes = ScanBytes.open(file(name))) {
+            Extent extent = TestScans.channels(bytes).channels().get(0).extent();
+
+            assertThat(extent.width().isPresent()).isEqualTo(sized);
+            assertThat(extent.aspect()).isEqualTo(sized ? 1 : 2);
+            // Resolutions are fractions of 32-bit integers.
+            extent.width().ifPresent(width -> assertThat(width).isCloseTo(COLUMNS / 12.8e6, within(1e-14)));
+            extent.height().ifPresent(height -> assertThat(height).isCloseTo(ROWS * 156.25e-9, within(1e-14)));
+        }
+    }
+
+    @Test
+    void samplesThatGdalDeclaresAsMissingAreMissing() throws Exception {
+        try (ScanBytes bytes = ScanBytes.open(file("gdal-missing"))) {
+            double[] samples =
+                    TestScans.channels(bytes).channels().get(0).samples().read();
+
+            assertThat(IntStream.range(0, samples.length).filter(i -> Double.isNaN(samples[i])))
+                    .containsExactly(3 * COLUMNS + 5, 11 * COLUMNS + 19);
+        }
+    }
+
+    /** 0.002 nm a step above -100 nm; 65535 steps are 131.07 nm. */
+    @Test
+    void imageJsCalibrationGivesHeights() throws Exception {
+        try (ScanBytes bytes = ScanBytes.open(file("imagej-calibrated"))) {
+            ScanChannel channel = TestScans.channels(bytes).channels().get(0);
+
+            assertThat(channel.unit()).isEqualTo("nm");
+            assertThat(channel.samples().read()[1]).isCloseTo(0.002 * 11_000 - 100, within(1e-9));
+            assertThat(channel.span()).isCloseTo(131.07, within(1e-9));
+        }
+        byte[] curved = Files.readAllBytes(file("imagej-calibrated"));
+        String text = new String(curved, StandardCharsets.ISO_8859_1).replace("cf=0", "cf=3");
+        Path file = Files.writeString(folder.resolve("curved.tif"), text, StandardCharsets.ISO_8859_1);
+        try (ScanBytes bytes = ScanBytes.open(file)) {
+            assertThatThrownBy(() -> TestScans.channels(bytes)).hasMessageContaining("calibration function 3");
         }
     }
 

@@ -33,14 +33,39 @@ class ScanFormatTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "gwy", "gsf", "gwyddion-text",
-                "gwyddion-text-german", "spip-text", "points",
+                "gwy",
+                "gsf",
+                "gwyddion-text",
+                "gwyddion-text-german",
+                "spip-text",
+                "points",
                 // Samples of the last have 32 bits, while the header gives the number of steps of 16 bits.
-                "nanoscope", "nanoscope-32", "nanoscope-32-of-16",
-                "ibw", "nid", "stp",
-                "top", "jpk", "jpk-qi-image",
-                "park", "sdf-text", "sdf-binary",
-                "x3p", "sur", "mi"
+                "nanoscope",
+                "nanoscope-32",
+                "nanoscope-32-of-16",
+                "ibw",
+                "nid",
+                "stp",
+                "top",
+                "jpk",
+                "jpk-qi-image",
+                "park",
+                "sdf-text",
+                "sdf-binary",
+                "x3p",
+                "sur",
+                "mi",
+                // Gwyddion 2.62 and SurfaceTopography 1.27.1 read the following alike, except for the text of Wyko.
+                "opd",
+                "opd-16",
+                "wyko-text",
+                "metropro",
+                "plu",
+                "al3d",
+                "bcrf",
+                "bcrf-utf-16",
+                "bcr",
+                "vk4"
             })
     void readsTheHeightsTheirSizeAndWhichWayIsUp(String format) throws IOException {
         // No extension: formats are found by content.
@@ -51,12 +76,44 @@ class ScanFormatTest {
             assertThat(channel.columns()).isEqualTo(TestScans.COLUMNS);
             assertThat(channel.rows()).isEqualTo(TestScans.ROWS);
             assertThat(channel.extent().width().orElseThrow()).isCloseTo(TestScans.WIDTH, within(1e-6 * 1e-6));
-            assertThat(channel.extent().height().orElseThrow()).isCloseTo(TestScans.HEIGHT, within(1e-6 * 1e-6));
+            // MetroPro has one pitch for both axes, Keyence no heights below 0.
+            double height = format.equals("metropro") ? 2.5e-6 : TestScans.HEIGHT;
+            double lift = format.equals("vk4") ? 200e-9 : 0;
+            assertThat(channel.extent().height().orElseThrow()).isCloseTo(height, within(1e-6 * 1e-6));
             double meters = channel.metersPerUnit().orElseThrow();
             assertThat(Arrays.stream(channel.samples().read())
-                            .map(s -> s * meters)
+                            .map(s -> s * meters - lift)
                             .toArray())
                     .containsExactly(TestScans.meters(), within(ROUNDING));
+        }
+    }
+
+    /** Little-endian or, for MetroPro, big-endian marks; bytes after the last sample. */
+    @ParameterizedTest
+    @CsvSource({
+        "opd, 0x7f61b1e6, 0",
+        "opd-16, 0x7fff, 0",
+        "metropro, 0xf8ffff7f, 0",
+        "plu, 0x49742410, 8",
+        "al3d, 0x7fc00000, 4",
+        "bcrf, 0x7f7fffff, 0",
+        "bcr, 0xff7f, 0"
+    })
+    void marksOfMissingSamplesAreKnown(String format, String mark, int after) throws IOException {
+        byte[] content = TestScans.file(format);
+        long bits = Long.decode(mark);
+        int bytes = (mark.length() - 2) / 2;
+        for (int i = 0; i < bytes; i++) {
+            content[content.length - after - bytes + i] = (byte) (bits >> (8 * i));
+        }
+        try (ScanBytes file = ScanBytes.open(Files.write(folder.resolve("scan"), content))) {
+            double[] samples =
+                    TestScans.channels(file).channels().get(0).samples().read();
+            // Wyko's last sample is the top one of the last column.
+            int last = format.startsWith("opd") ? TestScans.COLUMNS - 1 : samples.length - 1;
+            for (int i = 0; i < samples.length; i++) {
+                assertThat(Double.isNaN(samples[i])).as("%d", i).isEqualTo(i == last);
+            }
         }
     }
 
@@ -126,6 +183,31 @@ class ScanFormatTest {
         int tags = bytes.getShort(8);
         bytes.putInt(8 + 2 + 12 * tags, 8);
         assertRefused(tiff, "holds no channel");
+    }
+
+    private static ByteBuffer tiff(int directories, int next) {
+        ByteBuffer tiff = ByteBuffer.allocate(8 + 18 * directories).order(ByteOrder.LITTLE_ENDIAN);
+        tiff.put((byte) 'I').put((byte) 'I').putShort((short) 42).putInt(8);
+        for (int i = 1; i <= directories; i++) {
+            int following = i == directories ? 0 : 8 + 18 * i;
+            // One tag, then the next directory: as the next page, or nested in the tag.
+            tiff.putShort((short) 1)
+                    .putShort((short) (next == 0 ? 256 : next))
+                    .putShort((short) 4)
+                    .putInt(1);
+            tiff.putInt(next == 0 ? 1 : following).putInt(next == 0 ? following : 0);
+        }
+        return tiff;
+    }
+
+    @Test
+    void pagesAreCountedBeforeTheyAreRead() throws IOException {
+        assertRefused(tiff(200_000, 0).array(), "claims 257 channels; at most 256");
+    }
+
+    @Test
+    void directoriesThatNestWithoutEndAreRefused() throws IOException {
+        assertRefused(tiff(20_000, 330).array(), "damaged TIFF, or of a kind that cannot be read");
     }
 
     @Test

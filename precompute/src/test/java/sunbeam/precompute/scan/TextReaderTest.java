@@ -98,8 +98,8 @@ class TextReaderTest {
             })
     void thousandsSeparatorsNeedADecimalMark(String text) throws IOException {
         assertThatThrownBy(() -> read(text))
-                .isInstanceOf(ScanException.class)
-                .hasMessageContaining("--decimal-mark point");
+                .isInstanceOf(UnknownMark.class)
+                .hasMessageContaining("commas and points in a line");
         // Aligned columns.
         assertThat(read("  1.5, 22.5,111.5\n 11.5,222.5,  1.5\n")).hasSize(6);
     }
@@ -146,10 +146,75 @@ class TextReaderTest {
                 .hasMessageContaining("first " + line + " that counts");
     }
 
+    private ScanChannel channel(String text) throws IOException {
+        return channel(text.getBytes(StandardCharsets.UTF_8), Optional.empty());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"'', 1, -1", "'x [um]\tz [nm]\n', 1, 1", "'Distance (um), Height (nm)\n', -1, 1"})
+    void aProfileIsASurfaceThatIsConstantAlongY(String header, int direction, int known) throws IOException {
+        String rows = IntStream.range(0, 40)
+                .mapToObj(i -> direction * 0.05 * i + "\t" + height(0, i) + "\n")
+                .collect(Collectors.joining());
+        ScanChannel profile = channel(header.translateEscapes() + rows);
+
+        assertThat(profile.name()).isEqualTo(ScanChannel.PROFILE);
+        assertThat(profile.columns()).isEqualTo(40);
+        assertThat(profile.rows()).isEqualTo(40);
+        assertThat(profile.unit()).isEqualTo(known > 0 ? "nm" : "");
+        assertThat(profile.extent().aspect()).isEqualTo(1);
+        assertThat(profile.extent().width().isPresent()).isEqualTo(known > 0);
+        profile.extent().width().ifPresent(width -> assertThat(width).isCloseTo(2e-6, within(1e-18)));
+        double[] samples = profile.samples().read();
+        for (int i = 0; i < samples.length; i++) {
+            int place = direction > 0 ? i % 40 : 39 - i % 40;
+            assertThat(samples[i]).isEqualTo(height(0, place));
+        }
+    }
+
     @Test
-    void aProfileIsNoSurface() {
-        assertThatThrownBy(() -> read(matrix(3, 2, (row, column) -> column == 0 ? row * row : height(row, 3))))
-                .hasMessageContaining("a profile is no surface; export the whole image");
+    void twoColumnsWithoutEvenPlacesAreNoProfile() {
+        assertThatThrownBy(() -> read(matrix(20, 2, (row, column) -> column == 0 ? row * row : height(row, 3))))
+                .hasMessageContaining("no evenly spaced places");
+    }
+
+    /** ESRI's dx and dy, which may have no unit; twice the pitch along x. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "ncols 3\nnrows 2\nxllcorner 0\ndx 0.2\ndy 0.1\nNODATA_value -9999\n",
+                "# x pixel size: 0.2\n# y pixel size: 0.1\n",
+                "dx = 200 nm\ndy = 0.1 um\n",
+                "pixel width=0.2\npixel height=0.1\nlength unit=um\n"
+            })
+    void pixelsNeedNotBeSquare(String header) throws IOException {
+        ScanChannel channel = channel(header + "1 2 3\n4 5 6\n");
+        double ratio = channel.extent()
+                .height()
+                .map(height -> height / 2 / (channel.extent().width().orElseThrow() / 3))
+                .orElse(channel.extent().aspect());
+
+        assertThat(ratio).isCloseTo(0.5, within(1e-12));
+        boolean known = header.contains("um");
+        assertThat(channel.extent().width().isPresent()).isEqualTo(known);
+    }
+
+    @Test
+    void aHologramsPhaseHasItsFactor() throws IOException {
+        ScanChannel channel = channel("""
+                h=2 w=3
+                pixel size=3.7e-007 m
+                data unit=rad
+                height conversion factor (-> m)=6.3e-008
+                1 2 3
+                4 5 6
+                """);
+
+        assertThat(channel.unit()).isEqualTo("m");
+        assertThat(channel.extent().width().orElseThrow()).isCloseTo(3 * 3.7e-7, within(1e-18));
+        assertThat(channel.samples().read()[5]).isCloseTo(6 * 6.3e-8, within(1e-18));
+        assertThatThrownBy(() -> channel("h=3 w=3\npixel size=1 um\n1 2 3\n4 5 6\n"))
+                .hasMessageContaining("announces 3 x 3");
     }
 
     @Test

@@ -5,6 +5,7 @@ import de.siegmar.fastcsv.reader.CsvReader;
 import de.siegmar.fastcsv.reader.CsvRecord;
 import de.siegmar.fastcsv.reader.CsvRecordHandler;
 import de.siegmar.fastcsv.reader.FieldMismatchStrategy;
+import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -14,6 +15,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.Direction;
@@ -44,8 +46,9 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
                 file, () -> read(file.equals(Path.of("-")) ? System.in : Files.newInputStream(file)));
     }
 
-    private static DirectionList read(InputStream stream) throws IOException {
-        try (CsvReader<CsvRecord> reader = reader(stream)) {
+    private static DirectionList read(InputStream bytes) throws IOException {
+        try (BufferedInputStream stream = new BufferedInputStream(bytes);
+                CsvReader<CsvRecord> reader = reader(stream, separator(stream))) {
             Iterator<CsvRecord> records = reader.stream()
                     .filter(record ->
                             record.getFieldCount() > 1 || !record.getField(0).isBlank())
@@ -62,9 +65,21 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
         }
     }
 
+    /** Reads Excel's line of the separator, if there is one. */
+    private static char separator(BufferedInputStream stream) throws IOException {
+        stream.mark(SeparatorLine.LONGEST);
+        byte[] head = stream.readNBytes(SeparatorLine.LONGEST);
+        Optional<String> line = SeparatorLine.of(new String(head, StandardCharsets.UTF_8));
+        stream.reset();
+        stream.skipNBytes(
+                line.map(text -> text.getBytes(StandardCharsets.UTF_8).length).orElse(0));
+        return line.map(SeparatorLine::separator).orElse(',');
+    }
+
     /** Malformed bytes become replacement characters: harmless in skipped columns, no numbers in others. */
-    private static CsvReader<CsvRecord> reader(InputStream stream) {
+    private static CsvReader<CsvRecord> reader(InputStream stream, char separator) {
         return CsvReader.builder()
+                .fieldSeparator(separator)
                 .detectBomHeader(true)
                 .allowUnclosedQuote(false)
                 // readRows() counts fields for a better message.

@@ -39,7 +39,11 @@ public final class IndexFile {
             List<String> fields = List.of(line.split("\\s*,\\s*", -1));
             boolean isHeader = fields.get(0).equals("wl");
             header = isHeader ? fields : header;
-            if (isHeader || line.isEmpty()) {
+            boolean isExcels = number == 1
+                    && SeparatorLine.of(line)
+                            .filter(first -> SeparatorLine.separator(first) == ',')
+                            .isPresent();
+            if (isHeader || isExcels || line.isEmpty()) {
                 continue;
             }
             if (header.size() < 2 || fields.size() != header.size()) {

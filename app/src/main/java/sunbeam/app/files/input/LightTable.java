@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.NavigableMap;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import sunbeam.precompute.color.CieTable;
@@ -94,7 +95,8 @@ public final class LightTable {
         try (CsvReader<CsvRecord> rows = CsvReader.builder()
                 .commentStrategy(CommentStrategy.SKIP)
                 .fieldSeparator(separator(text))
-                .ofCsvRecord(text)) {
+                .ofCsvRecord(text.substring(
+                        SeparatorLine.of(text).map(String::length).orElse(0)))) {
             rows.forEach(row -> enter(row, powers));
         } catch (CsvParseException broken) {
             throw new InputException("it is no table of text", broken);
@@ -103,6 +105,10 @@ public final class LightTable {
     }
 
     private static String separator(String text) {
+        Optional<String> excel = SeparatorLine.of(text);
+        if (excel.isPresent()) {
+            return String.valueOf(SeparatorLine.separator(excel.get()));
+        }
         String first = text.lines()
                 .filter(line -> !line.isBlank() && !line.startsWith("#"))
                 .findFirst()

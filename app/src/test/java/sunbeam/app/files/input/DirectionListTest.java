@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.files.InputException;
@@ -52,6 +53,19 @@ final class DirectionListTest {
                 read("name,phi_i, theta_i ,note,theta_r,phi_r\na,1,2,\"x, \"\"y\"\"\",3,4\nb,-3.5e1,.5,,0,0\n");
         assertThat(list.columns()).containsExactly("theta_i", "phi_i", "theta_r", "phi_r");
         assertThat(list.rows()).containsExactly(new double[] {2, 1, 3, 4}, new double[] {0.5, -35, 0, 0});
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"sep=,\n", "\uFEFFSEP=,\r\n", "\"sep=,\"\n", "sep=;\n", "sep=\t\r\n", "sep=|\n"})
+    void excelsSeparatorIsRead(String line) throws IOException {
+        String separator = line.replaceAll("(?s).*=(.).*", "$1");
+        String rows = (HEADER + "\n30,0,10,180\n").replace(",", separator);
+
+        assertThat(read(line + rows).rows()).containsExactly(new double[] {30, 0, 10, 180});
+        String light = "380,0\n400,1\n"
+                + IntStream.rangeClosed(21, 39).mapToObj(i -> 20 * i + ",1\n").collect(Collectors.joining());
+        assertThat(table(line + light.replace(",", separator)).white())
+                .isEqualTo(table(light).white());
     }
 
     @Test
