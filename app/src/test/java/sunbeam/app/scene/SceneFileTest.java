@@ -111,7 +111,7 @@ class SceneFileTest {
                     "tolerance": 0.01    | "method": "reference" | line 7 | plan.method | full, table, nmm, pq, gem
                     "tolerance": 0.01    | "preset": "thesis"  | line 7  | plan.preset   | or use method full
                     "tolerance": 0.01    | "method": "full", "tolerance": 0.01, "preset": "thesis" | line 7 | plan.tolerance | preset thesis
-                    "elaphe-like"        | {"file": "blaze", "width": "5 pm"} | line 3 | patch.width | 1 nm to 100 mm
+                    "elaphe-like"        | {"file": "blaze", "width": "5 pm"} | line 3 | patch.width | 1 nm to 1 m
                     "exposure": 2        | "exposure": "two"  | line 9  | exposure      | auto
                     "exposure": 2        | "exposure": -1     | line 9  | exposure      | -1 is out of range; give auto, or a number above 0 to 1e9
                     [0, 0, 2]            | [0, 0, 0]          | line 5  | light.direction | no direction
