@@ -84,7 +84,7 @@ final class GridBaker {
             ColorTable.Level level = levels.get(number);
             GridShape shape = limit.writer().fit(GridShape.of(plan, level, box, largestAngle));
             ColorGrid grid = limit.mayHold(shape) ? bake(setup.cie(), level, shape) : null;
-            if (grid == null || limit.writer().bytes(grid) > limit.most()) {
+            if (grid == null || bytes(grid, limit) > limit.most()) {
                 if (best == null) {
                     throw limit.refusal(shape);
                 }
@@ -94,6 +94,19 @@ final class GridBaker {
             box = grid.brightBox();
         }
         return best;
+    }
+
+    /** Returns the size of the file, for which some formats compress the whole grid. */
+    private long bytes(ColorGrid grid, Limit limit) {
+        try (ProgressDisplay.Progress progress = setup.progress().start("Size of the " + label(grid.level()), 1)) {
+            long bytes = limit.writer().bytes(grid);
+            progress.step(1);
+            return bytes;
+        }
+    }
+
+    private String label(ColorTable.Level level) {
+        return "grid " + (levels.size() - levels.indexOf(level)) + " of " + levels.size() + " at most";
     }
 
     /** Returns how often the width of the grid's orders can be doubled: two levels each time. */
@@ -116,8 +129,7 @@ final class GridBaker {
 
     ColorGrid bake(CieTable functions, ColorTable.Level level, GridShape shape) {
         ColorGrid grid = ColorGrid.empty(level, shape);
-        String label = "Colors, grid " + (levels.size() - levels.indexOf(level)) + " of " + levels.size() + " at most";
-        try (ProgressDisplay.Progress progress = setup.progress().start(label, shape.evaluated())) {
+        try (ProgressDisplay.Progress progress = setup.progress().start("Colors, " + label(level), shape.evaluated())) {
             grid.bake(baker(functions, level), progress);
         }
         return grid;
