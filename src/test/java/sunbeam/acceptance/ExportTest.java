@@ -16,6 +16,7 @@ import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeAll;
@@ -61,6 +62,31 @@ class ExportTest extends InOneWorkplace {
 
         assertThat(Double.parseDouble(said.replaceAll("median ([^,]*),.*\\s*", "$1")))
                 .isBetween(0.0, 0.01);
+    }
+
+    @Test
+    void aFolderNamesAnExposure() throws IOException {
+        JsonNode metadata =
+                new ObjectMapper().readTree(workplace.resolve("b/sunbeam.json").toFile());
+        double exposure = metadata.path("exposure").asDouble();
+        assertThat(metadata.path("exposure_theta_i_deg").asDouble()).isEqualTo(30);
+        assertThat(Files.readString(workplace.resolve("b/sunbeam.html"))).contains("" + (float) exposure);
+        assertThat(Files.readString(workplace.resolve("b/sunbeam.md")))
+                .contains(
+                        String.format(Locale.ROOT, "%.3g is that of `brdf-map` under light at 30.0 degrees", exposure));
+    }
+
+    /** Without --samples one compares what a tenth of the table's time allows, and says how many pairs that are. */
+    @Test
+    void errorsAreOfAsManyPairsAsTheOutputSays() throws Exception {
+        SunbeamResult made =
+                workplace.here("export sinusoid --format npz --output e.npz --coherence-length 4um --size 1MB");
+
+        JsonNode error = NpzFile.read(workplace.resolve("e.npz")).metadata().path("error");
+        int sums = error.path("beside_sums_over_wavelengths").path("count").asInt();
+        assertThat(sums).isBetween(1, 1000);
+        assertThat(made.stderr()).startsWith("plan: table: ").contains("a table of at most 1.0 MB");
+        assertThat(made.stdout()).contains("beside sums over wavelengths at " + sums + " pairs");
     }
 
     @Test

@@ -53,6 +53,13 @@ final class InspectCommandTest extends CommandLineFixture {
     }
 
     @Test
+    void jsonDoesNotChangeThePicture() throws IOException {
+        assertSuccess(sunbeam("inspect sinusoid --output @plain.png"));
+        assertSuccess(sunbeam("inspect sinusoid --json --output @json.png"));
+        assertThat(folder.resolve("json.png")).hasSameBinaryContentAs(folder.resolve("plain.png"));
+    }
+
+    @Test
     void whatContradictsItselfIsOneLine() {
         assertComplaint(ExitCode.USAGE, "inspect sinusoid --json --output -", "--json", "--output -");
         assertComplaint(ExitCode.USAGE, "inspect disc --patch blaze", "'disc'", "--patch", "one of them");

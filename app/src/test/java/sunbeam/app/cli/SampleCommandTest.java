@@ -46,6 +46,13 @@ class SampleCommandTest extends CommandLineFixture {
         }
     }
 
+    /** The plan is there before rows are compared and computed, which takes longer; the first words were a bar of progress. */
+    @Test
+    void thePlanComesFirst() {
+        assertSuccess(sample("a.npz", "--count 10"));
+        assertThat(err.toString()).startsWith("plan: table: ").contains("; 10 rows\n");
+    }
+
     @ParameterizedTest
     @CsvSource({
         "a.npz, --count 0, --count",

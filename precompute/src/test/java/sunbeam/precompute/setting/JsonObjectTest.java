@@ -121,9 +121,9 @@ class JsonObjectTest {
                 .hasMessage("--terms 12 are too many");
     }
 
-    /** Options in code, comments aside, but for one of Gwyddion's and that of numbers whose decimal mark is unclear. */
+    /** Options in code, comments aside, but for one of Gwyddion's; and environment variables of the program. */
     private static final Pattern OPTION_NAME =
-            Pattern.compile("(?m)^(?!\\s*(?:/?\\*|//)).*(?<![\\w-])--(?!convert-to-gwy=|decimal-mark )[a-z]");
+            Pattern.compile("(?m)^(?!\\s*(?:/?\\*|//)).*(?<![\\w-])(?:--(?!convert-to-gwy=)[a-z]|SUNBEAM_[A-Z])");
 
     @Test
     void noTextNamesAnOption() throws IOException {
