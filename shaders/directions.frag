@@ -8,11 +8,8 @@
 // Four texels per fragment, one below the other: (wi, 0), (wr, 0), (u, v, w, wavelength in meters), exactBin (include/average.glsl). The
 // last two are computed in double precision, because wi and wr cancel in u and v near the specular direction.
 uniform sampler2D directions;
-// Standard deviation of the coherence window in meters.
-uniform float windowSigma;
-
-// With SPECTRAL: coherent power, ensemble power (with ONE_POWER the method's average in both), relative radiance, BRDF in 1/sr. Without: X,
-// Y, Z of power, and the relative radiance per power.
+// With SPECTRAL: coherent power, ensemble power (with ONE_POWER the method's average in both). Without: X, Y, Z of power, and the relative
+// radiance per power.
 layout(location = 0) out vec4 result;
 
 void main() {
@@ -20,22 +17,18 @@ void main() {
     vec3 wi = texelFetch(directions, texel, 0).xyz;
     vec3 wr = texelFetch(directions, texel + ivec2(0, 1), 0).xyz;
     vec4 uvwLambda = texelFetch(directions, texel + ivec2(0, 2), 0);
-    float gain = relativeRadiance(wi, wr);
 #ifdef SPECTRAL
     exactBin = texelFetch(directions, texel + ivec2(0, 3), 0);
 #ifdef ONE_POWER
     // The other average is not needed and may take hundreds of times as long.
     float power = ENSEMBLE ? ensemblePower(uvwLambda.xyz, uvwLambda.w) : coherentPower(uvwLambda.xyz, uvwLambda.w);
-    float coherent = power;
-    float ensemble = power;
+    result = vec4(power, power, 0.0, 0.0);
 #else
-    float coherent = coherentPower(uvwLambda.xyz, uvwLambda.w);
-    float ensemble = ensemblePower(uvwLambda.xyz, uvwLambda.w);
-    float power = ENSEMBLE ? ensemble : coherent;
+    result = vec4(
+        coherentPower(uvwLambda.xyz, uvwLambda.w), ensemblePower(uvwLambda.xyz, uvwLambda.w), 0.0, 0.0);
 #endif
-    result = vec4(coherent, ensemble, gain * power, brdfPerPower(wi, wr, uvwLambda.w, windowSigma) * power);
 #else
-    result = vec4(diffractedXyz(uvwLambda.xyz), gain);
+    result = vec4(diffractedXyz(uvwLambda.xyz), relativeRadiance(wi, wr));
 #endif
     if (loopsWereCut()) {
         result = vec4(LOOPS_CUT);

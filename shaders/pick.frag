@@ -4,11 +4,8 @@
 
 // Attributes of the point of a mesh under a pixel (sunbeam.app.render.Pick).
 
-// Index of the object in the scene.
-uniform float objectNumber;
-
-// Position in meters, world space; w is one more than the patch's index in the object, 0 in the background. Then the tangent frame,
-// world space; the tangent's w is the object's index.
+// Position in meters, world space; w is one more than the patch's color in the patch map, 0 in the background. Then the tangent frame,
+// world space.
 layout(location = 0) out vec4 position;
 layout(location = 1) out vec4 tangent;
 layout(location = 2) out vec4 bitangent;
@@ -19,8 +16,8 @@ layout(location = 5) out vec4 view;
 
 void main() {
     mat3 frame = tangentFrameAbout(reliefNormal(reliefTexel().xy), patchTurn());
-    position = vec4(worldPosition, 1.0 + patchHere());
-    tangent = vec4(frame[0], objectNumber);
+    position = vec4(worldPosition, 1.0 + patchColorHere());
+    tangent = vec4(frame[0], 1.0);
     bitangent = vec4(frame[1], 1.0);
     normal = vec4(frame[2], 1.0);
     light = vec4(lightDirection(frame, 0), 1.0);

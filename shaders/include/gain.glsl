@@ -24,11 +24,3 @@ float relativeRadiance(vec3 wi, vec3 wr) {
 #endif
     return radiance;
 }
-
-// BRDF in 1/sr per power, without the mask. The window's effective area is pi sigma^2.
-float brdfPerPower(vec3 wi, vec3 wr, float wavelength, float windowSigma) {
-    float kirchhoff = kirchhoffFactor(wi, wr);
-    // The ratio of lengths is about 100; squares of the lengths themselves would be about 1e-13.
-    float ratio = kirchhoff * windowSigma / (wavelength * (wi.z + wr.z));
-    return NORMAL_REFLECTANCE * relativeReflectance(halfAngleCosine(wi, wr)) * 4.0 * PI * ratio * ratio / (wi.z * wr.z);
-}

@@ -30,6 +30,7 @@ import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.scene.Energy;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -177,8 +178,7 @@ public final class BrdfMapCommand extends FileCommand {
             List<LinearPicture> pictures = maps.stream().map(Result::picture).toList();
             LinearPicture first = pictures.get(0);
             double factor = exposureRule.applyAsDouble(pictures);
-            Optional<Certificate> certificate = certify.count()
-                    .map(count -> firstMap.certify(first, count, factor, asked.get(MethodSettings.TOLERANCE)));
+            Optional<Certificate> certificate = certify.count().map(count -> firstMap.certify(first, count, factor));
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
             Optional<Patch> black = sheet.black();
             String name = "the map" + black.map(patch -> " of " + patch.name()).orElse("");
@@ -232,8 +232,10 @@ public final class BrdfMapCommand extends FileCommand {
                 linear != null && linear.equals(output),
                 "--linear " + linear + " is the picture's own name; give it another");
         UsageException.throwIf(
-                certify.count().isPresent() && turn.choices().get(ANGULAR_DIAMETER) > 0,
-                "--certify compares with a point of light; leave out --angular-diameter");
+                certify.count().isPresent()
+                        && turn.choices().get(ANGULAR_DIAMETER) > 0
+                        && turn.choices().get(ENERGY) != Energy.SCALAR,
+                "--certify divides the light of one direction; leave out --angular-diameter or --energy");
         UsageException.throwIf(
                 compared.areSeveral() && (linear != null || certify.count().isPresent()),
                 (linear != null ? "--linear" : "--certify")
@@ -248,17 +250,14 @@ public final class BrdfMapCommand extends FileCommand {
                 !material.isConstant() && certify.count().isPresent(),
                 "--certify holds one integral against the reference, but an --index by wavelength takes"
                         + " two; give a number, or leave out --certify");
-        if (!material.isConstant() && MethodSettings.FresnelFactor.of(asked) == MethodSettings.FresnelFactor.SQUARED) {
-            throw asked.complaint(
-                    MethodSettings.FRESNEL,
-                    "squared is for an index that is the same at all wavelengths; give once, or a number as --index");
-        }
+        MethodSettings.FresnelFactor.requireFor(material, asked);
         return material;
     }
 
     private MaterialMap plan(Surface surface, RefractiveIndex material, Direction towards) {
         MaterialMap map = new MaterialMap(surface.setup, surface.choices, material, towards);
-        methodOptions.print(compared.areSeveral() ? surface.setup.patch().name() : "", map.plan(), err());
+        String name = compared.areSeveral() ? surface.setup.patch().name() : "";
+        methodOptions.print(name, map.plan(), map.summary(), err());
         return map;
     }
 

@@ -1,6 +1,7 @@
 package sunbeam.app.cli;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
@@ -22,7 +23,6 @@ import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.text.Text;
 
@@ -49,6 +49,17 @@ public record Certificate(
     public record Limits(double median, double percentile95, double meanDifference) {
         /** A CIEDE2000 of 1 is just visible. */
         public static final Limits ANTI_ALIASED = new Limits(0.02, Double.POSITIVE_INFINITY, 1);
+
+        // Relative error for each square of a degree; measured with 0.5 to 5 degrees: 6e-4 d^2.
+        private static final double OF_SQUARE_DEGREE = 1e-3;
+
+        /**
+         * Limits of a map of a wide light, radians, on surfaces without sharp orders: its blur has its exact width at 550 nm only, and a
+         * Gaussian profile (docs/scenes.md).
+         */
+        public static Limits ofLamp(double tolerance, double diameter) {
+            return of(tolerance + OF_SQUARE_DEGREE * Math.pow(Math.toDegrees(diameter), 2));
+        }
 
         /** Limits of a tolerance: the median may reach it, the 95th percentile three times it. */
         public static Limits of(double tolerance) {
@@ -130,30 +141,29 @@ public record Certificate(
         return Double.isInfinite(limit) ? "" : Text.format("%s %.2g (at most %.2g)", what, value, limit);
     }
 
-    /** Compares random pixels of a BRDF map, row by row from the top left; the material's reflectance is relative to the standard one's. */
+    /**
+     * Compares random pixels of a BRDF map, row by row from the top left, with the mean over points of light; the gain is the radiance per
+     * diffracted power.
+     */
     public record Certifier(
             ExactLight reference,
-            IntFunction<DirectionPair> pairs,
-            ToDoubleFunction<DirectionPair> material,
+            List<IntFunction<DirectionPair>> points,
+            ToDoubleFunction<DirectionPair> gain,
             ProgressDisplay display) {
         // Some dark pixels, where light may be missing; but a grating is nearly all dark.
         private static final int PIXELS_PER_DARK = 4;
-
-        private double gain(DirectionPair pair) {
-            return Gain.relativeRadiance(pair) * material.applyAsDouble(pair);
-        }
 
         /**
          * Evaluates {@code count} random pixels of the surface, at most all, in parallel; at most a quarter are dark if there are enough
          * bright ones. The picture is linear XYZ of rho; the exposure is its factor before colors are compared.
          */
-        public Certificate certify(LinearPicture picture, int count, double exposure, double tolerance) {
+        public Certificate certify(LinearPicture picture, int count, double exposure, Limits limits) {
             List<Comparison> all = display.map("Certificate", draw(picture, count), pixel -> compare(picture, pixel));
             return ofPixels(
                     all.size() + " random pixels, at most a quarter of them dark while there are others",
                     all,
                     exposure,
-                    Limits.of(tolerance));
+                    limits);
         }
 
         private List<Integer> draw(LinearPicture picture, int count) {
@@ -161,7 +171,8 @@ public record Certificate(
             List<Integer> dark = new ArrayList<>();
             for (int pixel = 0; pixel < picture.width() * picture.height(); pixel++) {
                 if (picture.covered(pixel)) {
-                    double floor = Comparison.FLOOR * gain(pairs.apply(pixel));
+                    double floor =
+                            Comparison.FLOOR * gain.applyAsDouble(points.get(0).apply(pixel));
                     // A NaN or an infinite value makes a pixel bright, so that it is checked.
                     (Comparison.largest(Comparison.xyz(picture.xyz(), pixel)) <= floor ? dark : bright).add(pixel);
                 }
@@ -177,13 +188,17 @@ public record Certificate(
         }
 
         private Comparison compare(LinearPicture picture, int pixel) {
-            DirectionPair pair = pairs.apply(pixel);
-            double gain = gain(pair);
-            double[] exact = reference.xyz(pair, ExactLight.Quadrature.INTEGRATED);
-            for (int c = 0; c < 3; c++) {
-                exact[c] *= gain;
+            double[] exact = new double[3];
+            for (IntFunction<DirectionPair> point : points) {
+                DirectionPair pair = point.apply(pixel);
+                if (pair.cosThetaI() > 0) {
+                    double share = gain.applyAsDouble(pair) / points.size();
+                    double[] xyz = reference.xyz(pair, ExactLight.Quadrature.INTEGRATED);
+                    Arrays.setAll(exact, c -> exact[c] + share * xyz[c]);
+                }
             }
-            return new Comparison(Comparison.xyz(picture.xyz(), pixel), exact, gain);
+            double factor = gain.applyAsDouble(points.get(0).apply(pixel));
+            return new Comparison(Comparison.xyz(picture.xyz(), pixel), exact, factor);
         }
     }
 

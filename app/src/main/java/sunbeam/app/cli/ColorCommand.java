@@ -109,6 +109,7 @@ public final class ColorCommand extends FileCommand {
                 angles.count() < 2 || Math.max(-angles.minimum(), angles.maximum()) + angles.step() / 2 >= HORIZON,
                 "--angles: give two angles or more that lie, with half a step, within -90 to 90 degrees");
         RefractiveIndex material = index.parse();
+        MethodSettings.FresnelFactor.requireFor(material, choices);
         ToDoubleFunction<List<LinearPicture>> exposed = exposure.parse();
         Methods.of(choices);
         if (output != null) {

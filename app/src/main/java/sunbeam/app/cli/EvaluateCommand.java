@@ -40,6 +40,8 @@ import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings.Preset;
@@ -122,8 +124,10 @@ public final class EvaluateCommand extends FileCommand {
         Optional<MethodPlan> plan = plan(setup, choices, grid);
         ResponseMatrix power =
                 plan.isPresent() ? byShader(setup, plan.get(), grid) : exact(setup, Methods.of(choices), grid);
+        Gain gain = new Gain(
+                RefractiveIndex.KERATIN, Gain.R0, Methods.of(choices).fresnel().exponent());
         Evaluation evaluation =
-                Evaluation.of(patch, period, order, power.toRelativeRadiance(), area.window(), grating.peaks());
+                Evaluation.of(patch, period, order, power.toRelativeRadiance(gain), area.window(), grating.peaks());
         evaluation.lines(area.average(), methodOptions.explains()).forEach(out::println);
         Map<String, Object> report = report(evaluation, choices, plan);
         write(files, report, evaluation.csv(), evaluation.plot(title(choices)), text(evaluation, report));

@@ -5,6 +5,7 @@ import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.colortable.ColorTable.MIDDLE_WAVELENGTH;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -14,11 +15,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
+import org.joml.Vector3d;
 import org.joml.Vector3f;
+import sunbeam.app.cli.Certificate.Limits;
 import sunbeam.app.cli.MaterialMap.Result;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.gpu.BrdfMapRenderer;
@@ -41,12 +45,12 @@ import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.VisibleRange;
@@ -65,6 +69,10 @@ final class MaterialMap {
     // Distance between a lamp's directions, in deviations of an order under the shorter window, as in footprint.glsl.
     private static final double SPACING = 1.6;
     private static final int MOST_DIRECTIONS = 8;
+    // Points of a certificate's lamp, each as slow as a point of light.
+    private static final int FEWEST_OF_DISC = 24;
+    private static final int MOST_OF_DISC = 256;
+    private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
     private final DiffractionSetup setup;
     private final Choices choices;
@@ -97,7 +105,8 @@ final class MaterialMap {
         this.light = light;
         Optional<EnergyDivisor> divisor = choices.get(SceneSettings.ENERGY, Energy.SCALAR)
                 .divisor(setup.patch().heights(), index, choices);
-        List<ReflectionPart> reflections = ReflectionPart.of(index, setup.cie());
+        List<ReflectionPart> reflections =
+                ReflectionPart.of(index, setup.cie(), method.fresnel().exponent());
         this.parts = points().stream()
                 .flatMap(point -> reflections.stream().map(part -> part(point, part, divisor)))
                 .toList();
@@ -152,16 +161,57 @@ final class MaterialMap {
         return parts.get(0).plan;
     }
 
-    /** Compares random pixels with the reference; the material must have no dispersion. */
-    Certificate certify(LinearPicture picture, int count, double exposure, double tolerance) {
-        DiscDirections directions = new DiscDirections(picture.width(), light);
+    /** Returns the plan in words; the tolerance holds for each point of a lamp only. */
+    String summary() {
+        double degrees = Math.rint(1e4 * Math.toDegrees(choices.get(ANGULAR_DIAMETER, 0.0))) * 1e-4;
+        String words = "; a light %s degrees wide errs by %.2g %% in the median, and more beside sharp orders, which it"
+                + " draws as Gaussians (--certify)";
+        return plan().summary()
+                + (isWide() ? Text.format(words, Decimals.format(degrees), 100 * limits().median()) : "");
+    }
+
+    private Limits limits() {
+        return Limits.ofLamp(choices.get(TOLERANCE), choices.get(ANGULAR_DIAMETER, 0.0));
+    }
+
+    /** Compares random pixels with the reference, of a lamp with its mean over an even disc; the material must have no dispersion. */
+    Certificate certify(LinearPicture picture, int count, double exposure) {
         Part part = parts.get(0);
+        List<IntFunction<DirectionPair>> pairs = disc().stream()
+                .map(towards -> new DiscDirections(picture.width(), towards))
+                .<IntFunction<DirectionPair>>map(
+                        directions -> pixel -> directions.at(pixel).turned(-choices.get(ROTATE_PATCH)))
+                .toList();
         return new Certificate.Certifier(
-                        setup.withLight(part.cie).exact(method),
-                        pixel -> directions.at(pixel).turned(-choices.get(ROTATE_PATCH)),
-                        part.reflection::overStandard,
-                        setup.progress())
-                .certify(picture, count, exposure, tolerance);
+                        setup.withLight(part.cie).exact(method), pairs, part.reflection::gain, setup.progress())
+                .certify(picture, count, exposure, limits());
+    }
+
+    boolean isWide() {
+        return choices.get(ANGULAR_DIAMETER, 0.0) > 0;
+    }
+
+    /** Returns points of equal light on the lamp's disc, closer than its orders are wide: a spiral by the golden angle (Vogel 1979). */
+    private List<Direction> disc() {
+        double diameter = choices.get(ANGULAR_DIAMETER, 0.0);
+        double order = GaussianArea.windowOf(choices).sigmaFrequency() * MIDDLE_WAVELENGTH;
+        double orders = Math.PI / 4 * Math.pow(diameter / order, 2);
+        int count = isWide() ? (int) Math.max(FEWEST_OF_DISC, Math.min(MOST_OF_DISC, orders)) : 1;
+        double sine = Math.hypot(light.x(), light.y());
+        Vector3d towards = new Vector3d(light.x(), light.y(), light.z());
+        Vector3d across = sine > 0 ? new Vector3d(-light.y() / sine, light.x() / sine, 0) : new Vector3d(1, 0, 0);
+        Vector3d up = towards.cross(across, new Vector3d());
+        return IntStream.range(0, count)
+                .mapToObj(i -> {
+                    double radius = 0.5 * diameter * Math.sqrt((i + 0.5) / count);
+                    double angle = i * GOLDEN_ANGLE;
+                    Vector3d point = new Vector3d(towards)
+                            .fma(radius * Math.cos(angle), across)
+                            .fma(radius * Math.sin(angle), up)
+                            .normalize();
+                    return new Direction(point.x, point.y, point.z);
+                })
+                .toList();
     }
 
     Result draw(RenderContext context, int size) {
@@ -184,17 +234,15 @@ final class MaterialMap {
         double length = isPoint ? 4 * sigma : GaussianArea.windowOf(choices).coherenceLength();
         String trial = trials.stream().filter(line -> !line.isEmpty()).collect(Collectors.joining("; "));
         LinearPicture picture = new LinearPicture(size, size, sum);
-        return new Result(setup.patch(), light, method, plan().summary(), trial, length, picture);
+        return new Result(setup.patch(), light, method, summary(), trial, length, picture);
     }
 
     private void add(LinearPicture map, Part part, float[] sum) {
         DiscDirections directions = new DiscDirections(map.width(), part.point.towards);
-        boolean squared = FresnelFactor.of(choices) == FresnelFactor.SQUARED;
         for (int pixel = 0; pixel < sum.length / 3; pixel++) {
             // The standard material's map stays as drawn, to the last bit.
             boolean scaled = map.covered(pixel) && !index.isStandard();
-            double once = scaled ? part.reflection.overStandard(directions.at(pixel)) : 1;
-            double factor = part.point.share * (squared ? once * once : once);
+            double factor = part.point.share * (scaled ? part.reflection.overStandard(directions.at(pixel)) : 1);
             for (int c = 3 * pixel; c < 3 * pixel + 3; c++) {
                 sum[c] += (float) (factor * map.xyz()[c]);
             }

@@ -73,8 +73,13 @@ public final class MethodOptions extends SettingOptions {
      * @param patch name of one of several patches; empty for a single one
      */
     public void print(String patch, MethodPlan method, PrintWriter out) {
+        print(patch, method, method.summary(), out);
+    }
+
+    /** @param summary of the plan, with what a command adds to it */
+    void print(String patch, MethodPlan method, String summary, PrintWriter out) {
         String name = patch.isEmpty() ? "" : Text.oneLine(patch) + ": ";
-        print("plan: " + name, method.summary(), method.reasons(), out);
+        print("plan: " + name, summary, method.reasons(), out);
         method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));
     }
 

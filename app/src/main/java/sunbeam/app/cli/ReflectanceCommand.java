@@ -38,13 +38,13 @@ import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.VisibleRange;
@@ -131,9 +131,10 @@ public final class ReflectanceCommand extends FileCommand {
         report.put("index", index.describe(material));
         report.put("directions", list.size());
         Evaluator evaluator = new Evaluator(list, setup.progress());
+        ExactLight exact = setup.exact(method);
+        Gain gain = ReflectionPart.gain(material, setup.cie(), method.fresnel().exponent());
         if (method instanceof ReferenceMethod) {
-            List<double[]> exact = evaluator.evaluate(setup.exact(method));
-            write(list, ensemble, evaluator.indexed(material, setup.cie(), FresnelFactor.ONCE, exact));
+            write(list, ensemble, evaluator.radiances(gain, exact.window(), ensemble, evaluator.evaluate(exact)));
             json.print(out, report, List.of(output));
             return ExitCode.OK.code();
         }
@@ -143,10 +144,9 @@ public final class ReflectanceCommand extends FileCommand {
         methodOptions.printTrial(tables.trial(), err);
         List<double[]> results = evaluator.evaluate(tables);
         Optional<Certificate> certificate = certify.count()
-                .map(count ->
-                        evaluator.certify(setup.exact(method), results, count, choices.get(MethodSettings.TOLERANCE)));
-        List<double[]> indexed = evaluator.indexed(material, setup.cie(), FresnelFactor.of(choices), results);
-        write(list, ensemble, evaluator.divided(divisor, indexed));
+                .map(count -> evaluator.certify(exact, results, count, choices.get(MethodSettings.TOLERANCE)));
+        List<double[]> radiances = evaluator.radiances(gain, exact.window(), ensemble, results);
+        write(list, ensemble, evaluator.divided(divisor, radiances));
         report.put("plan", plan.summary());
         certificate.ifPresent(stated -> report.put("certificate", JsonOption.fields(stated)));
         json.print(out, report, List.of(output));
@@ -198,11 +198,10 @@ public final class ReflectanceCommand extends FileCommand {
         AtomicFile.write(output, overwrite(), table);
     }
 
-    /** Evaluates rows of directions: with a wavelength to coherent and ensemble power, rho and BRDF; without, to X, Y, Z and gain. */
+    /** Evaluates rows of directions: with a wavelength to coherent and ensemble power; without, to X, Y, Z of power. */
     record Evaluator(DirectionList list, ProgressDisplay display) {
         private static final int RHO = 2;
         private static final int BRDF = 3;
-        private static final int GAIN = 3;
 
         List<double[]> evaluate(ShaderTables tables) {
             List<Query> queries = IntStream.range(0, list.size())
@@ -213,13 +212,17 @@ public final class ReflectanceCommand extends FileCommand {
                     DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());
                     ProgressDisplay.Progress progress = display.start("Directions", list.size())) {
                 return renderer.evaluate(queries, progress::step).stream()
-                        .map(values -> new double[] {values[0], values[1], values[2], values[3]})
+                        .map(values -> new double[] {values[0], values[1], values[2]})
                         .toList();
             }
         }
 
         List<double[]> evaluate(ExactLight light) {
-            return map("Reference", row -> list.spectral() ? spectral(light, row) : color(light, row));
+            return map(
+                    "Reference",
+                    row -> list.spectral()
+                            ? spectral(light, row)
+                            : light.xyz(list.pair(row), ExactLight.Quadrature.EXACT));
         }
 
         private List<double[]> map(String label, Function<Integer, double[]> values) {
@@ -245,33 +248,24 @@ public final class ReflectanceCommand extends FileCommand {
         }
 
         /**
-         * Converts results from the standard material to another; power does not depend on it. Rho becomes relative to a flat mirror of it at
-         * normal incidence (for a tabulated index, to its mean weighted by luminance).
+         * Adds to powers rho and BRDF, or to X, Y, Z the gain. Rho is relative to a flat mirror of the material at normal incidence (for a
+         * tabulated index, to its mean weighted by luminance).
          */
-        List<double[]> indexed(RefractiveIndex index, CieTable cie, FresnelFactor fresnel, List<double[]> results) {
-            if (index.isStandard()) {
-                return results;
-            }
-            double mirror = ReflectionPart.mirror(index, cie);
+        List<double[]> radiances(Gain gain, CoherenceWindow window, boolean ensemble, List<double[]> results) {
             return IntStream.range(0, list.size())
-                    .mapToObj(
-                            row -> indexed(index, row, fresnel, results.get(row).clone(), mirror))
+                    .mapToObj(row -> radiances(gain, window, ensemble, row, results.get(row)))
                     .toList();
         }
 
-        private double[] indexed(
-                RefractiveIndex index, int row, FresnelFactor fresnel, double[] values, double mirror) {
+        private double[] radiances(Gain gain, CoherenceWindow window, boolean ensemble, int row, double[] values) {
             DirectionPair pair = list.pair(row);
             double wavelength = list.spectral() ? list.wavelength(row) : CieTable.MINIMUM_WAVELENGTH;
-            double once = index.reflectance(wavelength, pair.cosThetaD())
-                    / Gain.reflectance(pair.cosThetaD())
-                    * (Gain.R0 / mirror);
-            double over = fresnel == FresnelFactor.SQUARED ? once * once : once;
-            values[list.spectral() ? RHO : GAIN] *= over;
-            if (list.spectral()) {
-                values[BRDF] *= over * mirror / Gain.R0;
+            double unit = gain.relativeRadiance(pair, wavelength);
+            if (!list.spectral()) {
+                return new double[] {values[0], values[1], values[2], unit};
             }
-            return values;
+            double power = values[ensemble ? 1 : 0];
+            return new double[] {values[0], values[1], unit * power, gain.brdf(pair, window, wavelength) * power};
         }
 
         /** Divides rho and BRDF of rows with a wavelength; the colors of other rows are under divided light. */
@@ -289,21 +283,8 @@ public final class ReflectanceCommand extends FileCommand {
         }
 
         private double[] spectral(ExactLight light, int row) {
-            DirectionPair pair = list.pair(row);
-            double wavelength = list.wavelength(row);
-            Power power = light.powers(pair, wavelength);
-            double seen = light.ensemble() ? power.ensemble() : power.coherent();
-            return new double[] {
-                power.coherent(),
-                power.ensemble(),
-                Gain.relativeRadiance(pair) * seen,
-                Gain.brdf(pair, light.window(), wavelength) * seen
-            };
-        }
-
-        private double[] color(ExactLight light, int row) {
-            double[] xyz = light.xyz(list.pair(row), ExactLight.Quadrature.EXACT);
-            return new double[] {xyz[0], xyz[1], xyz[2], Gain.relativeRadiance(list.pair(row))};
+            Power power = light.powers(list.pair(row), list.wavelength(row));
+            return new double[] {power.coherent(), power.ensemble()};
         }
     }
 }

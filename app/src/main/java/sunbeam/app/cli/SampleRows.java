@@ -133,7 +133,8 @@ final class SampleRows {
                     token.step(1);
                     return new double[] {power(row)};
                 }),
-                column("brdf", 1, row -> new double[] {Gain.brdf(row.pair(), window, row.wavelength()) * power(row)}),
+                column("brdf", 1, row ->
+                        new double[] {Gain.KERATIN.brdf(row.pair(), window, row.wavelength()) * power(row)}),
                 column("density", 1, row -> new double[] {density.at(row.pair()) / band}));
     }
 

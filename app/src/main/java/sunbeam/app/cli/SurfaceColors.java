@@ -28,6 +28,7 @@ import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
@@ -105,7 +106,7 @@ final class SurfaceColors {
         colors = new double[views.size()][3];
         VisibleRange range = VisibleRange.of(
                 views.stream().flatMap(view -> view.pairs().stream()).toList());
-        parts = ReflectionPart.of(index, setup.cie()).stream()
+        parts = ReflectionPart.of(index, setup.cie(), method.fresnel().exponent()).stream()
                 .map(part -> new Part(part, method.plan(setup.surface().withLight(part.cie()), range)))
                 .toList();
     }
@@ -242,17 +243,14 @@ final class SurfaceColors {
                 .boxed()
                 .flatMap(wavelength -> view.pairs().stream().map(pair -> new Query(pair, wavelength)))
                 .toList();
-        ReflectionPart unit = new ReflectionPart(setup.cie(), 1, 0);
-        ReflectionPart grazing = new ReflectionPart(setup.cie(), 0, 1);
-        double mirror = ReflectionPart.mirror(index, setup.cie());
+        Gain gain = ReflectionPart.gain(index, setup.cie(), method.fresnel().exponent());
         int column = setup.exact(method).ensemble() ? 1 : 0;
         List<float[]> powers = evaluate(context, plan(), MethodUse.SPECTRAL, queries);
         double[] radiances = new double[wavelengths.length];
         for (int i = 0; i < queries.size(); i++) {
             DirectionPair pair = view.pairs().get(i % directions);
-            double normal = index.reflectance(wavelengths[i / directions]);
-            double reflected = normal * unit.gain(pair) + (1 - normal) * grazing.gain(pair);
-            radiances[i / directions] += reflected / mirror * powers.get(i)[column] / directions;
+            double factor = gain.relativeRadiance(pair, wavelengths[i / directions]);
+            radiances[i / directions] += factor * powers.get(i)[column] / directions;
         }
         return ColorReport.Spectrum.of(view, radiances);
     }

@@ -21,9 +21,7 @@ public record DirectionsRenderer(RenderContext context, UploadedTables method, b
     // Texels of a direction, one below the other (shaders/directions.frag).
     private static final int ROWS = 4;
 
-    public DirectionsRenderer {
-        program.set("windowSigma", (float) method.tables().windowSigma());
-    }
+    public DirectionsRenderer {}
 
     public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
         this(
@@ -42,7 +40,7 @@ public record DirectionsRenderer(RenderContext context, UploadedTables method, b
     /** Directions and wavelength in meters, which is ignored where colors are evaluated. */
     public record Query(DirectionPair pair, double wavelength) {}
 
-    /** Returns coherent power, ensemble power, rho, brdf per query, or X, Y, Z of power and gain; {@code progress} gets batch sizes. */
+    /** Returns coherent and ensemble power per query, or X, Y, Z of power and gain; {@code progress} gets batch sizes. */
     public List<float[]> evaluate(List<Query> queries, LongConsumer progress) {
         List<float[]> results = new ArrayList<>(queries.size());
         try (FloatTexture texture = context.createFloatTexture(

@@ -119,7 +119,8 @@ public final class FileActions {
     }
 
     private void frameMesh() {
-        BoundingSphere bounds = model.loaded().orElseThrow().firstPart().shape().bounds();
+        BoundingSphere bounds =
+                model.loaded().orElseThrow().firstPart().mesh().toVertexData().bounds();
         model.amend(scene -> Drags.framed(scene, bounds));
     }
 

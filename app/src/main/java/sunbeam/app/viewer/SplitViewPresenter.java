@@ -4,7 +4,6 @@ import java.awt.image.BufferedImage;
 import java.util.OptionalDouble;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.viewer.ControlPanel.ControlOrigin;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
@@ -64,8 +63,7 @@ final class SplitViewPresenter {
 
     private void draw(ViewState shown, Scene scene) {
         if (loaded != null
-                && loaded.firstPart().shape().whole()
-                        == shown.firstPart().shape().whole()
+                && loaded.firstPart().mesh() == shown.firstPart().mesh()
                 && loaded.firstPart().suits(scene)) {
             loaded = loaded.with(scene);
             requested = new ViewState(loaded, shown.width(), shown.height(), true);
@@ -74,7 +72,7 @@ final class SplitViewPresenter {
             return;
         }
         divider.show(null, words(shown), MethodChoice.of(scene) + " is being prepared", false);
-        if (preparing != null && SceneSharing.sharesParts(preparing, scene)) {
+        if (preparing != null && preparing.sharesParts(scene)) {
             return;
         }
         preparing = scene;

@@ -160,8 +160,11 @@ final class CertificateTest {
 
     private static Certificate certifyPicture(float[] xyz, int count) {
         return new Certificate.Certifier(
-                        REFERENCE, CertificateTest::pair, pair -> 1, new Environment(Map.of(), Path.of("")).progress())
-                .certify(new LinearPicture(WIDTH, 1, xyz), count, 1, 1e-3);
+                        REFERENCE,
+                        List.of(CertificateTest::pair),
+                        Gain::relativeRadiance,
+                        new Environment(Map.of(), Path.of("")).progress())
+                .certify(new LinearPicture(WIDTH, 1, xyz), count, 1, Certificate.Limits.of(1e-3));
     }
 
     @Test

@@ -24,9 +24,11 @@ import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
@@ -126,47 +128,50 @@ class ReflectanceCommandTest extends CommandLineFixture {
         }
     }
 
+    private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(10e-6);
     // Rounding of a few products.
     private static final double ROUNDING = 1e-12;
 
-    /** Returns the last row's values of an index from those of keratin, which all rows have; of its color without a wavelength. */
-    private double[] indexed(RefractiveIndex index, FresnelFactor fresnel, String rows, double... keratin)
-            throws IOException {
+    /** Returns the last row's values of an index at a power or Y of 1. */
+    private double[] indexed(RefractiveIndex index, FresnelFactor fresnel, String rows) throws IOException {
         boolean isColor = rows.split(",", -1).length == 4;
         String text = "theta_i,phi_i,theta_r,phi_r" + (isColor ? "\n" : ",wavelength\n") + rows + "\n";
         DirectionList list = DirectionList.read(Files.writeString(folder.resolve("list.csv"), text));
         int count = list.rows().size();
+        Gain gain = ReflectionPart.gain(index, CieTable.load(), fresnel.exponent());
         return new Evaluator(list, new Environment(Map.of(), folder).progress())
-                .indexed(index, CieTable.load(), fresnel, Collections.nCopies(count, keratin))
+                .radiances(gain, WINDOW, true, Collections.nCopies(count, new double[] {1, 1, 1}))
                 .get(count - 1);
     }
 
     @Test
     void alongTheNormalTheBrdfHasTheMaterialsReflectanceAndRhoIsOne() throws IOException {
         RefractiveIndex silver = RefractiveIndex.parse("0.05+3.3i");
-        double[] silvered = indexed(silver, FresnelFactor.ONCE, "0,0,0,0,550", 1, 1, 1, 0.04 * 7);
+        double[] silvered = indexed(silver, FresnelFactor.ONCE, "0,0,0,0,550");
 
         double r0 = (0.95 * 0.95 + 3.3 * 3.3) / (1.05 * 1.05 + 3.3 * 3.3);
         assertThat(silvered[0]).isEqualTo(1);
         assertThat(silvered[2]).isCloseTo(1, within(ROUNDING));
-        assertThat(silvered[3]).isCloseTo(r0 * 7, within(ROUNDING));
+        // 4 pi (sigma / (2 lambda))^2 (1 + wi.wr)^2 at w = -2.
+        double area = Math.PI * Math.pow(2 * WINDOW.sigmaMeters() / 550e-9, 2);
+        assertThat(silvered[3]).isCloseTo(r0 * area, within(ROUNDING * area));
     }
 
     /** All materials reflect all grazing light, so rho is inversely proportional to the mirror's reflectance. */
     @Test
     void grazingLightIsReflectedByAllAlike() throws IOException {
-        double[] gain = indexed(RefractiveIndex.parse("3"), FresnelFactor.ONCE, "89.9,0,89.9,180", 1, 1, 1, 25);
-        // The limit is for 90 degrees; at 89.9 degrees 0.9 % is not reflected.
-        assertThat(gain[3]).isCloseTo(4, within(0.02));
+        double[] gain = indexed(RefractiveIndex.parse("3"), FresnelFactor.ONCE, "89.9,0,89.9,180");
+        double[] keratin = indexed(RefractiveIndex.KERATIN, FresnelFactor.ONCE, "89.9,0,89.9,180");
+        // 0.04 over 0.25; the limit is for 90 degrees, at 89.9 degrees 0.9 % is not reflected.
+        assertThat(gain[3] / keratin[3]).isCloseTo(0.16, within(0.02 * 0.16));
     }
 
     @Test
     void anIndexByWavelengthIsTakenAtTheRowsWavelength() throws IOException {
         RefractiveIndex index = new RefractiveIndex(new TreeMap<>(Map.of(380e-9, 1.5, 780e-9, 3.5)), new TreeMap<>());
-        assertThat(indexed(index, FresnelFactor.ONCE, "0,0,0,0,380", 1, 1, 1, 1)[3])
-                .isCloseTo(1, within(ROUNDING));
+        double violet = indexed(index, FresnelFactor.ONCE, "0,0,0,0,380")[2];
         // n = 2.5: (1.5 / 3.5)^2 over 0.04.
-        assertThat(indexed(index, FresnelFactor.ONCE, "0,0,0,0,380\n0,0,0,0,580", 1, 1, 1, 1)[3])
+        assertThat(indexed(index, FresnelFactor.ONCE, "0,0,0,0,380\n0,0,0,0,580")[2] / violet)
                 .isCloseTo(1.5 * 1.5 / 3.5 / 3.5 / 0.04, within(1e-9));
     }
 
@@ -174,13 +179,12 @@ class ReflectanceCommandTest extends CommandLineFixture {
     @Test
     void theSquareOfAMaterialsReflectanceIsThatOfRho() throws IOException {
         RefractiveIndex index = RefractiveIndex.parse("3");
-        double keratin = Math.pow(Gain.reflectance(0.5) / Gain.R0, 2);
-
-        double[] row = indexed(index, FresnelFactor.SQUARED, "60,0,60,180,550", 1, 1, keratin, Gain.R0 * keratin);
+        double[] once = indexed(index, FresnelFactor.ONCE, "60,0,60,180,550");
+        double[] row = indexed(index, FresnelFactor.SQUARED, "60,0,60,180,550");
 
         double relative = index.reflectance(550e-9, 0.5) / 0.25;
-        assertThat(row[2]).isCloseTo(relative * relative, within(ROUNDING));
-        assertThat(row[3]).isCloseTo(0.25 * relative * relative, within(ROUNDING));
+        assertThat(row[2] / once[2]).isCloseTo(relative, within(ROUNDING));
+        assertThat(row[3] / once[3]).isCloseTo(relative, within(ROUNDING));
     }
 
     // A short window makes small tables.

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import org.apache.commons.math3.util.MathArrays;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
@@ -100,14 +99,15 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
 
     /** A surface's response {@code [wavelength][angle]}: diffracted power, 1 for a flat mirror in specular direction, or relative radiance. */
     public record ResponseMatrix(ResponseGrid grid, double[][] values) {
-        /** Converts power to the relative radiance rho that BRDF maps show (see {@link Gain#relativeRadiance}). */
-        public ResponseMatrix toRelativeRadiance() {
-            double[] gains = Arrays.stream(grid.angles())
-                    .map(angle -> Gain.relativeRadiance(grid.plane().pair(angle)))
-                    .toArray();
-            double[][] radiance = Arrays.stream(values)
-                    .map(row -> MathArrays.ebeMultiply(gains, row))
-                    .toArray(double[][]::new);
+        /** Converts power to the relative radiance rho that BRDF maps show. */
+        public ResponseMatrix toRelativeRadiance(Gain gain) {
+            List<DirectionPair> pairs = grid.pairs();
+            double[][] radiance = new double[values.length][pairs.size()];
+            for (int row = 0; row < radiance.length; row++) {
+                for (int i = 0; i < radiance[row].length; i++) {
+                    radiance[row][i] = gain.relativeRadiance(pairs.get(i), grid.wavelengths()[row]) * values[row][i];
+                }
+            }
             return new ResponseMatrix(grid, radiance);
         }
 

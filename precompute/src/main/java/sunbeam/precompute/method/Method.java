@@ -3,6 +3,7 @@ package sunbeam.precompute.method;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Setting.Sentence;
 
@@ -23,6 +24,11 @@ public interface Method {
     /** Describes the error that no tolerance bounds, with the remedy; empty if the tolerance holds. */
     default Optional<Sentence> approximation() {
         return Optional.empty();
+    }
+
+    /** Returns the exponent of Fresnel's reflectance in the radiance. */
+    default FresnelFactor fresnel() {
+        return FresnelFactor.ONCE;
     }
 
     /** True if power 1 is that of a flat mirror in specular direction; otherwise only ratios of colors are meaningful. */

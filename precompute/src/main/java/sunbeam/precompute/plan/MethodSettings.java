@@ -8,6 +8,7 @@ import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -191,8 +192,21 @@ public final class MethodSettings {
         ONCE,
         SQUARED;
 
+        public int exponent() {
+            return this == SQUARED ? 2 : 1;
+        }
+
         public static FresnelFactor of(Choices choices) {
             return choices.get(FRESNEL, Preset.isThesis(choices) ? SQUARED : ONCE);
+        }
+
+        /** Throws a SettingException for the square of an index by wavelength, whose colors are no sum of two integrals. */
+        public static void requireFor(RefractiveIndex index, Choices choices) {
+            if (of(choices) == SQUARED && !index.isConstant()) {
+                throw choices.complaint(
+                        FRESNEL,
+                        "squared is for an index that is the same at all wavelengths; give once, or one number as index");
+            }
         }
 
         public ShaderTables applyTo(ShaderTables tables) {

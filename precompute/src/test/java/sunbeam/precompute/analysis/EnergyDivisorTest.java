@@ -66,7 +66,7 @@ class EnergyDivisorTest {
                         DirectionPair pair = new DirectionPair(wi, Direction.ofDisc(x, y));
                         double power = Math.exp(-far) * power(m, 2 * Math.PI / wavelength * pair.w() * DEPTH);
                         double area = half * Math.cos(alpha) * Math.PI / steps * sigma / 10;
-                        sum += Gain.brdf(pair, window, wavelength) / Gain.reflectance(wi.z()) * power * area;
+                        sum += Gain.KERATIN.brdf(pair, window, wavelength) / Gain.reflectance(wi.z()) * power * area;
                     }
                 }
             }

@@ -149,7 +149,7 @@ class GratingTruthsTest {
             for (int j = -12; j <= 12; j++) {
                 DirectionPair pair =
                         new DirectionPair(light, Direction.ofDisc(-light.x() + i * step, -light.y() + j * step));
-                sum += Gain.brdf(pair, window, GREEN) * reference.coherent(pair, GREEN);
+                sum += Gain.KERATIN.brdf(pair, window, GREEN) * reference.coherent(pair, GREEN);
             }
         }
         return sum * step * step;

@@ -119,7 +119,7 @@ record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
                 .toList();
         List<Comparison> compared = metadata.setup().progress().map("Exact powers", queries, query -> {
             double power = exact.power(query.pair(), query.wavelength());
-            double unit = Gain.brdf(query.pair(), exact.window(), query.wavelength());
+            double unit = Gain.KERATIN.brdf(query.pair(), exact.window(), query.wavelength());
             double read = material.eval(query.pair(), query.wavelength())
                     / (unit * query.pair().cosThetaR());
             double divisor = metadata.divisor()

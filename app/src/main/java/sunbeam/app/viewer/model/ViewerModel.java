@@ -8,7 +8,6 @@ import java.util.function.DoubleConsumer;
 import java.util.function.UnaryOperator;
 import javax.swing.SwingUtilities;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneSharing;
 
 /**
  * Model of the viewer: the scene that the user sees and changes. Used on the event thread only. Changes that need loading are loaded in the
@@ -72,10 +71,10 @@ public final class ViewerModel {
     }
 
     private void set(Scene next, boolean mustLoad) {
-        boolean loads = mustLoad || loaded == null || !SceneSharing.sharesParts(next, wanted);
+        boolean loads = mustLoad || loaded == null || !next.sharesParts(wanted);
         wanted = next;
         if (loaded != null) {
-            loaded = loaded.with(SceneSharing.withPartsOf(loaded.firstPart().scene(), next));
+            loaded = loaded.with(next.withPartsOf(loaded.firstPart().scene()));
         }
         if (loads) {
             load();
@@ -102,7 +101,7 @@ public final class ViewerModel {
     }
 
     private void goTo(Scene scene) {
-        if (SceneSharing.sharesParts(scene, wanted)) {
+        if (scene.sharesParts(wanted)) {
             set(scene, false);
         } else {
             load(scene, () -> {});
@@ -136,7 +135,7 @@ public final class ViewerModel {
         if (result == null) {
             return;
         }
-        loaded = result.with(SceneSharing.withPartsOf(result.firstPart().scene(), wanted));
+        loaded = result.with(wanted.withPartsOf(result.firstPart().scene()));
         opening.filter(done -> done.load() <= number).ifPresent(done -> {
             opening = Optional.empty();
             done.opened().run();
@@ -151,8 +150,9 @@ public final class ViewerModel {
         }
         if (loaded != null) {
             // Changes made to a scene that failed to open are discarded with it.
-            wanted = SceneSharing.withPartsOf(
-                    loaded.firstPart().scene(), opening.map(Opening::before).orElse(wanted));
+            wanted = opening.map(Opening::before)
+                    .orElse(wanted)
+                    .withPartsOf(loaded.firstPart().scene());
             loaded = loaded.with(wanted);
         }
         opening = Optional.empty();
