@@ -36,6 +36,10 @@ record OrderTable(
     private static final int STRONGEST = 6;
     private static final int NAMED = 12;
     private static final double NANOMETER = 1e-9;
+    // Orders at half of the sampling frequency deviate by rounding.
+    private static final double ROUNDING = 1e-9;
+    // Share of an order's light in lines beside it, below which they are not told.
+    private static final double FEW_BESIDE = 0.01;
     // Luminance, relative to white, of an order's color on the screen: about that of pure red.
     private static final double LUMINANCE = 0.2;
     private static final List<String> COLUMNS =
@@ -114,10 +118,29 @@ record OrderTable(
                 .map(series -> series.order.in(lattice) + " from " + nanometers(first.lights.get(series.seen.size())))
                 .toList();
         if (!hidden.isEmpty()) {
-            lines.add("  beyond the horizon: " + String.join(", ", hidden.subList(0, Math.min(NAMED, hidden.size())))
-                    + (hidden.size() > NAMED ? ", and " + (hidden.size() - NAMED) + " more (.json)" : ""));
+            lines.add("  beyond the horizon: " + named(hidden));
+        }
+        List<String> aliases = first.orders.stream()
+                .filter(series -> isBeyondSampling(series.order))
+                .map(series -> series.order.in(lattice))
+                .toList();
+        if (!aliases.isEmpty()) {
+            lines.add("  beyond half of the sampling frequency: " + named(aliases)
+                    + "; samples repeat the spectrum, so their light may not be the surface's own");
         }
         return lines;
+    }
+
+    private static String named(List<String> orders) {
+        return String.join(", ", orders.subList(0, Math.min(NAMED, orders.size())))
+                + (orders.size() > NAMED ? ", and " + (orders.size() - NAMED) + " more (.json)" : "");
+    }
+
+    private boolean isBeyondSampling(Order order) {
+        SpatialFrequency frequency = lattice.frequency(order);
+        double most = 0.5 + ROUNDING;
+        return Math.abs(frequency.x()) * patch.heights().pitchX() > most
+                || Math.abs(frequency.y()) * patch.heights().pitchY() > most;
     }
 
     private static String describe(Seen seen) {
@@ -125,8 +148,13 @@ record OrderTable(
         String interval = efficiency.low() == efficiency.value()
                 ? ""
                 : Text.format(" (%.5f to %.5f)", efficiency.low(), efficiency.high());
+        String beside = efficiency.beside() < FEW_BESIDE * efficiency.value()
+                ? ""
+                : Text.format(
+                        ", %.5f of it in lines beside the order, no multiples of the period", efficiency.beside());
         return Text.format(
-                " at theta_r %.1f, phi_r %.1f degrees: %.5f%s", seen.theta(), seen.phi(), efficiency.value(), interval);
+                " at theta_r %.1f, phi_r %.1f degrees: %.5f%s%s",
+                seen.theta(), seen.phi(), efficiency.value(), interval, beside);
     }
 
     static String written(double value) {
@@ -236,6 +264,8 @@ record OrderTable(
         tree.put("efficiency", series.values(seen -> seen.efficiency.value()));
         tree.put("efficiency_low", series.values(seen -> seen.efficiency.low()));
         tree.put("efficiency_high", series.values(seen -> seen.efficiency.high()));
+        tree.put("efficiency_beside", series.values(seen -> seen.efficiency.beside()));
+        tree.put("beyond_sampling", isBeyondSampling(series.order));
         tree.put("xyz", xyz);
         tree.put("srgb", xyz[1] > 0 ? srgb(xyz) : null);
         return tree;

@@ -135,10 +135,20 @@ public final class OrdersCommand extends FileCommand {
         double relief = patch.heights().relief();
         // The terms of the expansion grow with the relief.
         InputException.refuseIf(
-                relief > DEEPEST || orders * Math.max(1, 0.5e6 * relief + 0.5) > MOST_ORDERS,
+                relief > DEEPEST
+                        || OrderSpectrum.amplitudes(patch.heights()) * Math.max(1, 0.5e6 * relief + 0.5) > MOST_ORDERS,
                 patch.name() + ": " + patch.heights().describe() + " with a relief of " + Lengths.rounded(relief, 3)
                         + " have too many orders; --crop a smaller part, whose relief is at most 20 um");
-        OrderLattice lattice = OrderLattice.of(patch, period);
+        OrderLattice ofHeights = OrderLattice.of(patch, period);
+        double phi =
+                Math.toDegrees(choices.get(LightOptions.PHI_I, ofHeights.first().azimuth()));
+        double[] meters =
+                Arrays.stream(wavelengths.values()).map(nm -> nm / 1e9).toArray();
+        double[] angles = thetas.values();
+        List<Direction> directions = Arrays.stream(angles)
+                .mapToObj(theta -> Direction.ofDegrees(theta, phi))
+                .toList();
+        OrderLattice lattice = ofHeights.ofSamples(patch, directions, meters[0]);
         long lights = (long) thetas.count() * wavelengths.count();
         double visible = lattice.most(CieTable.MINIMUM_WAVELENGTH);
         boolean sampled = patch.repetition() != Patch.Repetition.PERIODIC;
@@ -149,14 +159,9 @@ public final class OrdersCommand extends FileCommand {
                         "%d angles of --theta-i and %d --wavelengths are too many for this patch of %.0f orders; take larger steps%s",
                         thetas.count(), wavelengths.count(), visible, fewer));
         OrderSpectrum spectrum = new OrderSpectrum(patch.heights());
-        double phi =
-                Math.toDegrees(choices.get(LightOptions.PHI_I, lattice.first().azimuth()));
-        double[] meters =
-                Arrays.stream(wavelengths.values()).map(nm -> nm / 1e9).toArray();
-        double[] angles = thetas.values();
         List<Integer> numbers = IntStream.range(0, (int) lights).boxed().toList();
         List<OrderLight> all = environment().progress().map("Orders of " + patch.name(), numbers, i -> {
-            Direction wi = Direction.ofDegrees(angles[i / meters.length], phi);
+            Direction wi = directions.get(i / meters.length);
             return OrderLight.of(spectrum, lattice, material, wi, meters[i % meters.length], sampled);
         });
         List<Incidence> incidences = IntStream.range(0, angles.length)

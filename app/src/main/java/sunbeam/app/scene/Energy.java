@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import java.util.Optional;
 import sunbeam.precompute.analysis.EnergyDivisor;
+import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -41,6 +42,7 @@ public enum Energy {
                 "is not for method " + choices.get(Methods.METHOD).label());
         require(window.coherenceLength() >= SHORTEST_WINDOW, "needs a coherence length of 5um at least");
         require(map.relief() <= DEEPEST, "is for a relief of at most 20 um");
+        require(!EnergyBalance.hasTooManyOrders(map), "is for samples at most some micrometers apart");
         return Optional.of(new EnergyDivisor(map, index, window));
     }
 

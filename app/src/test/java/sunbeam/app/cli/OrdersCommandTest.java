@@ -125,7 +125,7 @@ class OrdersCommandTest extends CommandLineFixture {
             blaze --wavelengths 300:500:10           | 2 | --wavelengths 300:500:10 leaves the range 380 to 780
             blaze --theta-i 0:80:0.001 --wavelengths 380:780:0.001 | 2 | are too many for this patch
             elaphe-like                              | 2 | for this patch of 91920 orders; take larger steps, or --no-periodic
-            @wide.txt --columns=512 --width=5mm --height-unit=nm --periodic | 2 | too many for this patch of 26316 orders
+            @wide.txt --columns=512 --width=5mm --height-unit=nm --periodic | 2 | too many for this patch of 1062314 orders
             """)
     void mistakesAreOneLine(String arguments, int code, String start) throws IOException {
         Files.writeString(folder.resolve("wide.txt"), "0 ".repeat(256) + "50 ".repeat(256));

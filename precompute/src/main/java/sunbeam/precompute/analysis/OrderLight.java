@@ -1,6 +1,5 @@
 package sunbeam.precompute.analysis;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -10,8 +9,8 @@ import java.util.stream.Stream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.util.ArithmeticUtils;
 import sunbeam.precompute.analysis.OrderLight.OrderLattice.Order;
-import sunbeam.precompute.analysis.OrderSpectrum.Wave;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.spectrum.Band;
@@ -37,64 +36,16 @@ public record OrderLight(
         double between,
         double sum,
         double mirror) {
-    // Parts of a scan along each axis, whose differences give the interval.
-    private static final int PARTS = 4;
+    /**
+     * Efficiency of an order with the 95 % interval of its mean: NaN from a single bin, the value twice if the surface repeats.
+     *
+     * @param beside light within the value that lines beside the order send: waves that are no multiples of the period
+     */
+    public record Efficiency(double value, double low, double high, double beside) {
+        static final Efficiency NONE = exact(0);
 
-    /** Efficiency of an order with the 95 % interval of its mean: NaN from fewer than two parts, the value twice if the surface repeats. */
-    public record Efficiency(double value, double low, double high) {
-        static final Efficiency NONE = new Efficiency(0, 0, 0);
-    }
-
-    private static final class Field {
-        private final List<Wave> bins = new ArrayList<>();
-        private double power;
-
-        void add(Wave wave, boolean kept) {
-            power += wave.power();
-            if (kept) {
-                bins.add(wave);
-            }
-        }
-
-        /** Returns the mean powers of up to 4 x 4 parts of the scan; their mean is the power (Parseval). */
-        double[] parts() {
-            int left = bins.stream().mapToInt(Wave::x).min().orElse(0);
-            int bottom = bins.stream().mapToInt(Wave::y).min().orElse(0);
-            int columns = bins.stream().mapToInt(Wave::x).max().orElse(0) - left + 1;
-            int rows = bins.stream().mapToInt(Wave::y).max().orElse(0) - bottom + 1;
-            double[][] real = new double[rows][columns];
-            double[][] imaginary = new double[rows][columns];
-            for (Wave bin : bins) {
-                real[bin.y() - bottom][bin.x() - left] = bin.real();
-                imaginary[bin.y() - bottom][bin.x() - left] = bin.imaginary();
-            }
-            ComplexVector field = new BandTransform2d(columns, rows, Band.of(0, columns - 1), Band.of(0, rows - 1))
-                    .transform((row, re, im) -> {
-                        System.arraycopy(real[row], 0, re, 0, columns);
-                        System.arraycopy(imaginary[row], 0, im, 0, columns);
-                    });
-            int partsX = Math.min(PARTS, columns);
-            int partsY = Math.min(PARTS, rows);
-            double[] sums = new double[partsX * partsY];
-            double[] counts = new double[sums.length];
-            for (int i = 0; i < field.length(); i++) {
-                int part = i / columns * partsY / rows * partsX + i % columns * partsX / columns;
-                sums[part] += Math.pow(field.real()[i], 2) + Math.pow(field.imaginary()[i], 2);
-                counts[part] += 1.0 / (columns * rows) / (columns * rows);
-            }
-            Arrays.setAll(sums, part -> sums[part] / counts[part]);
-            return sums;
-        }
-
-        Efficiency efficiency(boolean sampled) {
-            if (!sampled) {
-                return new Efficiency(power, power, power);
-            }
-            double[] parts = parts();
-            double half = parts.length < 2
-                    ? Double.NaN
-                    : GratingPeriod.student(parts.length - 1) * Math.sqrt(StatUtils.variance(parts) / parts.length);
-            return new Efficiency(power, Math.max(0, power - half), power + half);
+        static Efficiency exact(double value) {
+            return new Efficiency(value, value, value, 0);
         }
     }
 
@@ -109,29 +60,36 @@ public record OrderLight(
             Direction wi,
             double wavelength,
             boolean sampled) {
-        Map<Order, Field> fields = new HashMap<>();
-        Field rest = new Field();
+        Map<Order, OrderField> fields = new HashMap<>();
+        OrderField rest = new OrderField();
         double normal = index.reflectance(wavelength);
         spectrum.forEach(wi, wavelength, sampled, wave -> {
             double fresnel =
                     Math.sqrt(RefractiveIndex.schlick(normal, wave.pair().cosThetaD()));
             lattice.nearest(spectrum.frequency(wave.x(), wave.y()))
-                    .map(order -> fields.computeIfAbsent(order, none -> new Field()))
+                    .map(order -> fields.computeIfAbsent(order, none -> new OrderField()))
                     .orElse(rest)
                     .add(wave.times(fresnel), sampled);
         });
         Map<Order, Efficiency> efficiencies = new HashMap<>();
-        fields.forEach((order, field) -> {
-            if (lattice.direction(order, wi, wavelength).isPresent()) {
-                efficiencies.put(order, field.efficiency(sampled));
+        double between = rest.power();
+        for (Map.Entry<Order, OrderField> entry : fields.entrySet()) {
+            Order order = entry.getKey();
+            OrderField field = entry.getValue();
+            if (lattice.direction(order, wi, wavelength).isEmpty()) {
+                between += field.power();
+            } else if (sampled) {
+                efficiencies.put(
+                        order,
+                        field.estimate(spectrum.bin(lattice.frequency(order).times(-1))));
             } else {
-                rest.power += field.power;
+                efficiencies.put(order, Efficiency.exact(field.power()));
             }
-        });
+        }
         double sum =
-                efficiencies.values().stream().mapToDouble(Efficiency::value).sum() + rest.power;
+                efficiencies.values().stream().mapToDouble(Efficiency::value).sum() + between;
         double mirror = index.reflectance(wavelength, wi.z());
-        return new OrderLight(lattice, wi, wavelength, efficiencies, rest.power, sum, mirror);
+        return new OrderLight(lattice, wi, wavelength, efficiencies, between, sum, mirror);
     }
 
     public Optional<Direction> direction(Order order) {
@@ -161,49 +119,84 @@ public record OrderLight(
             }
         }
 
+        /** Lattice of bins, of all sums of some of them: the vectors (a, b) and (0, d) generate it (Hermite normal form). */
+        private static final class BinLattice {
+            private int a;
+            private int b;
+            private int d;
+
+            void add(int x, int y) {
+                while (x != 0) {
+                    int times = a / x;
+                    int nextX = a - times * x;
+                    int nextY = b - times * y;
+                    a = x;
+                    b = y;
+                    x = nextX;
+                    y = nextY;
+                }
+                d = ArithmeticUtils.gcd(d, y);
+                b = d > 0 ? Math.floorMod(b, d) : b;
+            }
+
+            OrderLattice over(double width, double height) {
+                SpatialFrequency slanted = new SpatialFrequency(a / width, b / height);
+                SpatialFrequency upright = new SpatialFrequency(0, d / height);
+                return a == 0 || d == 0
+                        ? new OrderLattice(positive(a == 0 ? upright : slanted), Optional.empty())
+                        : reduced(slanted, upright);
+            }
+        }
+
         public static OrderLattice of(Patch patch, GratingPeriod period) {
             SpatialFrequency wave = period.wave();
             if (patch.repetition() == Patch.Repetition.PERIODIC) {
-                OrderLattice exact = generated(HeightSpectrum.of(patch.scan(), HeightSpectrum.Edges.PERIODIC));
-                return exact.second
-                        .filter(other -> other.sineTo(wave) < WEAKEST)
-                        .map(other -> new OrderLattice(other, Optional.of(exact.first)))
-                        .orElse(exact);
+                return generated(patch.scan(), false, false).along(wave);
             }
             Stream<SpatialFrequency> crossing = period.others().stream().filter(other -> other.sineTo(wave) > CROSSING);
             return new OrderLattice(positive(wave), crossing.findFirst().map(OrderLattice::positive));
         }
 
-        /** Returns the coarsest lattice of all frequencies. */
-        private static OrderLattice generated(HeightSpectrum spectrum) {
-            // The vectors (a, b) and (0, d), in bins, generate the lattice (Hermite normal form).
-            int a = 0;
-            int b = 0;
-            int d = 0;
-            double[] power = spectrum.power();
-            for (int place = power.length / 2 + 1; place < power.length; place++) {
-                if (power[place] > WEAKEST * spectrum.total()) {
-                    int x = spectrum.binX(place);
-                    int y = spectrum.binY(place);
-                    while (x != 0) {
-                        int times = a / x;
-                        int nextX = a - times * x;
-                        int nextY = b - times * y;
-                        a = x;
-                        b = y;
-                        x = nextX;
-                        y = nextY;
-                    }
-                    d = ArithmeticUtils.gcd(d, y);
-                    b = d > 0 ? Math.floorMod(b, d) : b;
+        /**
+         * Returns the lattice of a patch that repeats, with the orders by which its samples repeat the spectrum, if some light sees them.
+         *
+         * @param wavelength shortest one, meters
+         */
+        public OrderLattice ofSamples(Patch patch, List<Direction> lights, double wavelength) {
+            HeightMap map = patch.scan();
+            boolean x = lights.stream().anyMatch(wi -> wavelength < map.pitchX() * (1 + Math.abs(wi.x())));
+            boolean y = lights.stream().anyMatch(wi -> wavelength < map.pitchY() * (1 + Math.abs(wi.y())));
+            return (x || y) && patch.repetition() == Patch.Repetition.PERIODIC
+                    ? generated(map, x, y).along(first)
+                    : this;
+        }
+
+        private OrderLattice along(SpatialFrequency wave) {
+            return second.filter(other -> other.sineTo(wave) < WEAKEST)
+                    .map(other -> new OrderLattice(other, Optional.of(first)))
+                    .orElse(this);
+        }
+
+        /** Returns the coarsest lattice of all frequencies, and of those of the samples along x or y. */
+        private static OrderLattice generated(HeightMap map, boolean samplesX, boolean samplesY) {
+            BinLattice lattice = new BinLattice();
+            lattice.add(samplesX ? map.columns() : 0, 0);
+            lattice.add(0, samplesY ? map.rows() : 0);
+            int left = -(map.columns() / 2);
+            int bottom = -(map.rows() / 2);
+            double mean = StatUtils.mean(map.heights());
+            ComplexVector bins = new BandTransform2d(
+                            map.columns(), map.rows(), new Band(left, map.columns()), new Band(bottom, map.rows()))
+                    .transform((row, real, imaginary) -> Arrays.setAll(real, column -> map.at(column, row) - mean));
+            double[] power = new double[bins.length()];
+            Arrays.setAll(power, i -> Math.pow(bins.real()[i], 2) + Math.pow(bins.imaginary()[i], 2));
+            double least = WEAKEST * StatUtils.sum(power);
+            for (int i = 0; i < power.length; i++) {
+                if (power[i] > least) {
+                    lattice.add(left + i % map.columns(), bottom + i / map.columns());
                 }
             }
-            SpatialFrequency slanted = new SpatialFrequency(a / spectrum.width(), b / spectrum.height());
-            SpatialFrequency upright = new SpatialFrequency(0, d / spectrum.height());
-            if (a == 0 || d == 0) {
-                return new OrderLattice(positive(a == 0 ? upright : slanted), Optional.empty());
-            }
-            return reduced(slanted, upright);
+            return lattice.over(map.width(), map.height());
         }
 
         /** Returns the shortest vectors of a lattice (Gauss's reduction). */
@@ -234,7 +227,7 @@ public record OrderLight(
         }
 
         /** Cycles per meter; the order leaves along wr = -wi + lambda times this. */
-        SpatialFrequency frequency(Order order) {
+        public SpatialFrequency frequency(Order order) {
             SpatialFrequency alongSecond =
                     second.map(other -> other.times(order.n)).orElse(new SpatialFrequency(0, 0));
             return alongSecond.plus(first.times(order.m));

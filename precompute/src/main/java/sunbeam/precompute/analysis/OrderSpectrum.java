@@ -4,6 +4,7 @@ import java.util.function.Consumer;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.HeightLevels;
@@ -36,6 +37,9 @@ public final class OrderSpectrum {
 
     private final double width;
     private final double height;
+    // Bins that are no aliases of others: a sampled surface repeats its spectrum.
+    private final int columns;
+    private final int rows;
     private final Band bandX;
     private final Band bandY;
     private final HeightScale scale;
@@ -60,8 +64,10 @@ public final class OrderSpectrum {
     public OrderSpectrum(HeightMap map) {
         width = map.width();
         height = map.height();
-        bandX = visibleBins(map.columns(), width);
-        bandY = visibleBins(map.rows(), height);
+        columns = map.columns();
+        rows = map.rows();
+        bandX = distinct(columns, width);
+        bandY = distinct(rows, height);
         HeightLevels levels = new HeightLevels(map);
         scale = HeightScale.midRange(levels);
         Expansion expansion = LowRankExpansion.of(
@@ -70,16 +76,27 @@ public final class OrderSpectrum {
         values = values(FourierTable.of(levels, expansion, bandX, bandY, terms -> {}));
     }
 
-    /** Returns the bins visible at the shortest wavelength that are no aliases of others. */
-    private static Band visibleBins(int samples, double length) {
-        int most = Math.min((samples - 1) / 2, (int) Math.ceil(LARGEST_W * length / CieTable.MINIMUM_WAVELENGTH));
+    /** Returns the bins that are visible under some light at the shortest wavelength. */
+    private static Band visibleBins(double length) {
+        int most = (int) Math.ceil(LARGEST_W * length / CieTable.MINIMUM_WAVELENGTH);
         return Band.of(-most, most);
     }
 
-    /** Returns the number of orders visible under some light. */
+    private static Band distinct(int samples, double length) {
+        Band visible = visibleBins(length);
+        return visible.count() < samples ? visible : new Band(-(samples / 2), samples);
+    }
+
+    /** Returns the number of orders visible under some light, those beyond half of the sampling frequency included. */
     public static long orders(HeightMap map) {
-        return (long) visibleBins(map.columns(), map.width()).count()
-                * visibleBins(map.rows(), map.height()).count();
+        return (long) visibleBins(map.width()).count()
+                * visibleBins(map.height()).count();
+    }
+
+    /** Returns the number of orders with an amplitude of their own, which memory holds. */
+    public static long amplitudes(HeightMap map) {
+        return (long) distinct(map.columns(), map.width()).count()
+                * distinct(map.rows(), map.height()).count();
     }
 
     private static float[] values(FourierTable table) {
@@ -102,7 +119,7 @@ public final class OrderSpectrum {
      * @param sampled true for a scan, whose light fills each bin
      */
     void forEach(Direction wi, double wavelength, boolean sampled, Consumer<Wave> visitor) {
-        forEachBin(wi, wavelength, bin -> {
+        forEachBin(wi, wavelength, 1, bin -> {
             double cosine = Math.sqrt(bin.square);
             double stretch = 1;
             double share = 1;
@@ -123,26 +140,35 @@ public final class OrderSpectrum {
         });
     }
 
-    private void forEachBin(Direction wi, double wavelength, Consumer<Bin> visitor) {
-        for (int y = bandY.first(); y <= bandY.last(); y++) {
+    /** Visits the bins that lie, in part at least, in a square around the disc of directions of a radius, 1 up to the horizon. */
+    private void forEachBin(Direction wi, double wavelength, double radius, Consumer<Bin> visitor) {
+        Band alongX = reached(wi.x(), radius, width / wavelength);
+        Band alongY = reached(wi.y(), radius, height / wavelength);
+        for (int y = alongY.first(); y <= alongY.last(); y++) {
             double outY = -wi.y() - wavelength * y / height;
-            for (int x = bandX.first(); x <= bandX.last(); x++) {
+            for (int x = alongX.first(); x <= alongX.last(); x++) {
                 double outX = -wi.x() - wavelength * x / width;
                 visitor.accept(new Bin(x, y, outX, outY, 1 - outX * outX - outY * outY));
             }
         }
     }
 
+    private static Band reached(double light, double radius, double wavelengths) {
+        return Band.covering(-radius - light, radius - light, wavelengths, 0);
+    }
+
     private Wave wave(Bin bin, double wavelength, DirectionPair pair) {
         double[] factors = coefficients.at(scale.phase(wavelength, -pair.w()));
-        int at = 2 * factors.length * ((bin.y - bandY.first()) * bandX.count() + bin.x - bandX.first());
+        int column = Math.floorMod(bin.x - bandX.first(), columns);
+        int row = Math.floorMod(bin.y - bandY.first(), rows);
+        int at = 2 * factors.length * (row * bandX.count() + column);
         double real = 0;
         double imaginary = 0;
         for (double factor : factors) {
             real += factor * values[at++];
             imaginary += factor * values[at++];
         }
-        double geometry = (1 + pair.wi().dot(pair.wr())) / (-pair.w() * Math.sqrt(pair.cosThetaI() * pair.cosThetaR()));
+        double geometry = Math.sqrt(Gain.orderShare(pair));
         return new Wave(bin.x, bin.y, pair, geometry * real, geometry * imaginary);
     }
 
@@ -163,7 +189,7 @@ public final class OrderSpectrum {
         double normal = index.reflectance(wavelength);
         double blur = wavelength * sigmaFrequency;
         double[] sum = new double[1];
-        forEachBin(wi, wavelength, bin -> {
+        forEachBin(wi, wavelength, 1 + 1.5 * REACH * blur, bin -> {
             if (bin.square > Math.max(GRAZING * GRAZING, Math.min(FARTHEST, NEAR_HORIZON * blur))) {
                 Direction out = new Direction(bin.outX, bin.outY, Math.sqrt(bin.square));
                 sum[0] += power(normal, bin, wavelength, new DirectionPair(wi, out));
@@ -193,5 +219,10 @@ public final class OrderSpectrum {
 
     SpatialFrequency frequency(int x, int y) {
         return new SpatialFrequency(x / width, y / height);
+    }
+
+    /** Returns a frequency's place among the bins, along x and y. */
+    double[] bin(SpatialFrequency frequency) {
+        return new double[] {frequency.x() * width, frequency.y() * height};
     }
 }

@@ -162,10 +162,16 @@ class EnergyDivisorTest {
         // At a multiple of 20 nm, just before the first orders cross the horizon.
         assertThat(narrow.warning())
                 .hasValueSatisfying(words -> assertThat(words).startsWith("at 720 nm the model reflects 1."));
-        EnergyBalance balance = EnergyBalance.largest(tracks(20e-6), RefractiveIndex.KERATIN, ABOVE)
-                .orElseThrow();
+        HeightMap fine = Surfaces.sampled(256, 2, 20e-6 / 256, (column, row) -> column < 128 ? 0 : DEPTH);
+        EnergyBalance balance =
+                EnergyBalance.largest(fine, RefractiveIndex.KERATIN, ABOVE).orElseThrow();
         assertThat(balance.ratio()).isBetween(0.95, EnergyBalance.LARGEST);
         assertThat(balance.warning()).isEmpty();
+        // Samples 300 nm apart repeat the spectrum within the horizon.
+        assertThat(EnergyBalance.largest(tracks(20e-6), RefractiveIndex.KERATIN, ABOVE)
+                        .orElseThrow()
+                        .warning())
+                .hasValueSatisfying(words -> assertThat(words).contains("samples 313 nm apart"));
     }
 
     @Test

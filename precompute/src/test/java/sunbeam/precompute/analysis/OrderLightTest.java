@@ -15,12 +15,15 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.analysis.OrderLight.Efficiency;
 import sunbeam.precompute.analysis.OrderLight.OrderLattice;
 import sunbeam.precompute.analysis.OrderLight.OrderLattice.Order;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.reference.ExactLight;
 
 class OrderLightTest {
     private static final double PERIOD = 2.5e-6;
@@ -131,6 +134,41 @@ class OrderLightTest {
         assertThat(light.at(new Order(0, 0)).value()).isCloseTo(0.0198, within(1e-4));
         // Rounding errors beyond the horizon.
         assertThat(light.between()).isLessThan(1e-20);
+    }
+
+    /** Samples 300 nm apart repeat the spectrum within the horizon, along y too under light at 65 degrees. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, 450, 0", "40, 37, 450, 0", "65, 90, 400, 1"})
+    void ordersBeyondTheSamplingAreThoseOfTheReference(double theta, double phi, double nanometers, int rows) {
+        HeightMap coarse = Surfaces.sampled(8, 8, 300e-9, (column, row) -> 30e-9 * column + (column == 5 ? 60e-9 : 0));
+        Patch patch = new Patch(
+                "p", coarse, coarse, "p", List.of(), List.of(), List.of(), List.of(), Patch.Repetition.PERIODIC);
+        Direction wi = Direction.ofDegrees(theta, phi);
+        double wavelength = nanometers * 1e-9;
+        OrderLattice lattice =
+                OrderLattice.of(patch, GratingPeriod.of(patch)).ofSamples(patch, List.of(wi), wavelength);
+        OrderSpectrum spectrum = new OrderSpectrum(coarse);
+        OrderLight light = OrderLight.of(spectrum, lattice, RefractiveIndex.KERATIN, wi, wavelength, false);
+        // Orders 417 per mm apart are sharp under the standard window, whose deviation is 10 per mm.
+        ExactLight exact = GaussianArea.STANDARD.over(coarse, CieTable.load());
+        double area = 4 * Math.PI * Math.pow(exact.window().sigmaMeters() / wavelength, 2);
+
+        light.efficiencies().forEach((order, efficiency) -> {
+            DirectionPair pair = new DirectionPair(wi, light.direction(order).orElseThrow());
+            double power = exact.powers(pair, wavelength).ensemble();
+            double expected = Gain.KERATIN.brdf(pair, exact.window(), wavelength) / area * power;
+            assertThat(efficiency.value()).as("%s", order).isCloseTo(expected, within(EXPANSION));
+        });
+        assertThat(light.efficiencies().keySet()).extracting(Order::m).contains(5);
+        assertThat(light.efficiencies().keySet()).extracting(Order::n).contains(rows);
+        assertThat(light.between()).isZero();
+        double sum = light.efficiencies().values().stream()
+                .mapToDouble(Efficiency::value)
+                .sum();
+        assertThat(light.sum()).isCloseTo(sum, within(1e-12));
+        // The divisor that conserves energy counts the same orders.
+        assertThat(spectrum.sum(RefractiveIndex.KERATIN, wi, wavelength, 0) * light.mirror())
+                .isCloseTo(sum, within(1e-9));
     }
 
     @Test
