@@ -116,6 +116,43 @@ class LauncherStartTest extends InSandbox {
                 .hasLineCount(1);
     }
 
+    /** The kernel refuses memory to Java, which would say so on standard output. */
+    @Test
+    void aJavaThatCannotStartSaysSoOnStandardError() throws Exception {
+        Path limited = folder.resolve("limited");
+        Files.writeString(
+                limited,
+                "#!/bin/sh\nulimit -v 3000000\nexec '" + Sunbeam.repository().resolve("sunbeam") + "' \"$@\"\n");
+        assertThat(limited.toFile().setExecutable(true)).isTrue();
+
+        SunbeamResult result =
+                Sunbeam.launcher(limited, "inspect", "blaze", "--json").run().ended(1);
+        assertThat(result.stdout()).isEmpty();
+        assertThat(result.stderr()).contains("initialization of VM");
+    }
+
+    @Test
+    void aWindowWhoseScreenHasGoneEndsInOneLine() throws Exception {
+        installJava(
+                "jdk",
+                "17.0.1",
+                "echo 'sunbeam: note: before' >&2",
+                "echo 'Nativewindow X11 IOError: Display 0x1 (:98): Resource temporarily unavailable' >&2",
+                "echo 'FATAL ERROR in native method: Nativewindow X11 IOError: Display 0x1 (:98)' >&2",
+                "echo '\tat sun.awt.X11.XlibWrapper.XEventsQueued' >&2",
+                "exit 1");
+
+        SunbeamResult gone =
+                command("view").with("DISPLAY", "elsewhere:0").run().ended(SunbeamResult.NO_GRAPHICS);
+        assertThat(gone.stderr())
+                .endsWith("sunbeam: note: before\nsunbeam: the X server of DISPLAY=elsewhere:0 has ended,"
+                        + " and with it the window; start it again\n");
+        installJava("jdk", "17.0.1", "echo 'sunbeam: wrong' >&2", "exit 4");
+        SunbeamResult other =
+                command("view").with("DISPLAY", "elsewhere:0").run().ended(4);
+        assertThat(other.stderr()).endsWith("sunbeam: wrong\n").doesNotContain("X server");
+    }
+
     @Test
     void theViewerWithoutAScreenSaysThatItNeedsOne() throws Exception {
         SunbeamResult result = command("view", "--patch", "blaze").run().ended(SunbeamResult.NO_GRAPHICS);

@@ -38,7 +38,6 @@ public final class DisplayFaults {
     private static final String TEMPORARY_FOLDER = "java.io.tmpdir";
     private static volatile Runnable onLoss = () -> {};
     private static volatile boolean ending;
-    private static boolean watched;
     private static boolean prepared;
 
     private DisplayFaults() {}
@@ -51,24 +50,7 @@ public final class DisplayFaults {
         onLoss = action;
     }
 
-    /**
-     * Begins to watch the X server, of which a program notices the end before Xlib does if this precedes its windows and its OpenGL. With
-     * windows, whose thread calls Xlib at once, the end of the server does not wait for draws to finish.
-     */
-    public static synchronized void watchServer(boolean hasWindows) {
-        if (watched) {
-            return;
-        }
-        watched = true;
-        watch(System.getenv().getOrDefault("DISPLAY", ""), () -> {
-            if (!hasWindows) {
-                awaitRest();
-            }
-            onLoss.run();
-        });
-    }
-
-    /** Must precede all use of JOGL. */
+    /** Must precede all use of JOGL, so that this class notices the end of the server before Xlib does. */
     static synchronized void prepare() {
         if (prepared) {
             return;
@@ -77,7 +59,10 @@ public final class DisplayFaults {
         if (!"false".equals(System.getProperty("jogamp.gluegen.UseTempJarCache"))) {
             makeLibraryFolder();
         }
-        watchServer(false);
+        watch(System.getenv().getOrDefault("DISPLAY", ""), () -> {
+            awaitRest();
+            onLoss.run();
+        });
         try {
             Runtime.getRuntime().addShutdownHook(new Thread(DisplayFaults::awaitRest, "jrtr-end"));
         } catch (IllegalStateException shuttingDown) {

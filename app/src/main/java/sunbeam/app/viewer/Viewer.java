@@ -24,7 +24,6 @@ import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import jrtr.GraphicsException;
-import jrtr.gl.DisplayFaults;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
@@ -139,7 +138,6 @@ public final class Viewer {
         if (GraphicsEnvironment.isHeadless()) {
             throw new GraphicsException("the viewer needs a screen: start it on a desktop, or set DISPLAY");
         }
-        DisplayFaults.watchServer(true);
         StartJournal journal = new StartJournal();
         journal.reached("scene read");
         AtomicReference<Viewer> viewer = new AtomicReference<>();
