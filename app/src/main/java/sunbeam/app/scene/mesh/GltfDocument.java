@@ -59,7 +59,8 @@ record GltfDocument(GlTF gltf, ByteBuffer binary) {
     private static final Set<String> UNCHECKED = Set.of("extensions", "extras");
     /** Required extensions that are read or do not affect geometry. */
     private static final Pattern HARMLESS =
-            Pattern.compile("(KHR|EXT)_(materials|texture|lights)_.*|KHR_mesh_quantization");
+            Pattern.compile("(KHR|EXT)_(materials|texture|lights)_.*|KHR_mesh_quantization|KHR_node_visibility|"
+                    + GltfInstances.EXTENSION);
 
     private static ObjectMapper mapper() {
         ObjectMapper mapper = JsonMapper.builder(JSON)

@@ -29,8 +29,8 @@ import org.joml.Vector3d;
 import sunbeam.precompute.files.InputException;
 
 /**
- * Reader of a glTF 2.0 file's geometry: the meshes that its scene's nodes place, with y up, so that (x, y, z) becomes (x, -z, y). Points
- * and lines are ignored; skinned and morphed meshes are refused.
+ * Reader of a glTF 2.0 file's geometry: the meshes that its scene's visible nodes place, once or several times, with y up, so that (x, y, z)
+ * becomes (x, -z, y). Points and lines are ignored; skinned and morphed meshes are refused.
  */
 final class GltfFile {
     private static final Matrix4d UPRIGHT = new Matrix4d().rotationX(Math.PI / 2);
@@ -65,12 +65,19 @@ final class GltfFile {
             PendingNode next = waiting.pop();
             Node node = accessors.entry(gltf.getNodes(), next.node, "node");
             if (!seen.add(next.node) || seen.size() > MOST_NODES) {
-                throw new InputException("node " + next.node + " has two parents, or there are more than " + MOST_NODES
-                        + " nodes; export it again");
+                throw new InputException(
+                        "node " + next.node + " has two parents or contains itself, or there are more than "
+                                + MOST_NODES + " nodes; export it again");
+            }
+            if (GltfInstances.isHidden(next.node, node)) {
+                continue;
             }
             Matrix4d place = new Matrix4d(next.parent).mul(local(next.node, node));
             if (node.getMesh() != null) {
-                place(next.node, node, place);
+                var instances = GltfInstances.of(next.node, node, accessors, MOST_PRIMITIVES);
+                for (int i = 0; i < instances.count(); i++) {
+                    place(next.node, node, place.mul(instances.transform(i), new Matrix4d()));
+                }
             }
             add(waiting, node.getChildren(), place);
         }

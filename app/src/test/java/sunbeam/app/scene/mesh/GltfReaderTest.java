@@ -95,6 +95,72 @@ class GltfReaderTest extends MeshReading {
         assertThat(refusal(textured(transformed(transform)))).contains("KHR_texture_transform cannot be understood");
     }
 
+    /** A horizontal square of 1 x 1 at x = 0, at 2 turned by 90 degrees about x, and at 4 in twice its size. */
+    private static String instanced(String attributes) {
+        ByteBuffer bytes = ByteBuffer.allocate(120).order(ByteOrder.LITTLE_ENDIAN);
+        float root = (float) Math.sqrt(0.5);
+        float[] moves = {0, 0, 0, 2, 0, 0, 4, 0, 0};
+        float[] turns = {0, 0, 0, 1, root, 0, 0, root, 0, 0, 0, 1};
+        float[] scales = {1, 1, 1, 1, 1, 1, 2, 2, 2};
+        for (float[] values : List.of(moves, turns, scales)) {
+            for (float value : values) {
+                bytes.putFloat(value);
+            }
+        }
+        String extension = "\"EXT_mesh_gpu_instancing\":{\"attributes\":{" + attributes + "}}";
+        String added = String.join(
+                ",", accessor(0, 3, "VEC3"), accessor(36, 3, "VEC4"), accessor(84, 3, "VEC3"), accessor(0, 2, "VEC3"));
+        String buffer = "{\"uri\":\"" + MeshFiles.dataUri(bytes.array()) + "\",\"byteLength\":120}";
+        return GOOD.replace("{\"mesh\":0}", "{\"mesh\":0,\"extensions\":{" + extension + "}}")
+                .replace("\"type\":\"SCALAR\"}]", "\"type\":\"SCALAR\"}," + added + "]")
+                .replace("],\n\"buffers\":[", ",{\"buffer\":1,\"byteLength\":120}],\n\"buffers\":[")
+                .replaceFirst("}]}\\s*$", "}," + buffer + "]}");
+    }
+
+    private static String accessor(int offset, int count, String type) {
+        return "{\"bufferView\":2,\"componentType\":5126,\"byteOffset\":" + offset + ",\"count\":" + count
+                + ",\"type\":\"" + type + "\"}";
+    }
+
+    @Test
+    void instancesArePlaced() throws IOException {
+        Mesh mesh =
+                read(instanced("\"TRANSLATION\":5,\"ROTATION\":6,\"SCALE\":7")).mesh();
+
+        assertThat(mesh.triangles()).isEqualTo(3 * PLANE.triangles());
+        // Float32 coordinates of order 5.
+        assertThat(MeshChecks.area(mesh)).isCloseTo(6, within(1e-5));
+        assertThat(mesh.side(0)).isCloseTo(5.5, within(1e-5));
+        assertThat(mesh.side(2)).as("the turned one is upright").isCloseTo(1, within(1e-5));
+        assertThat(read(instanced("\"TRANSLATION\":5")).mesh().side(0)).isCloseTo(5, within(1e-5));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            "TRANSLATION":5,"ROTATION":8 | node 0 has
+            "TRANSLATION":5,"SCALE":8    | and 3 by another attribute
+            "TRANSLATION":99             | accessor 99
+            "TRANSLATION":"x"            | cannot be understood
+            "TRANSLATION":6              | has not 3 numbers
+            "COLOR":5                    | cannot be understood
+            """)
+    void damagedInstancesAreRefusedByName(String attributes, String complaint) {
+        assertThat(refusal(instanced(attributes))).contains(complaint);
+    }
+
+    @Test
+    void aHiddenNodeAndThoseBelowItAreNotRead() throws IOException {
+        String hidden = "\"extensions\":{\"KHR_node_visibility\":{\"visible\":false}}";
+        String nodes = "\"nodes\":[{\"mesh\":0},{" + hidden + ",\"mesh\":0,\"children\":[2]},{\"mesh\":0}]";
+        String three = GOOD.replace("\"nodes\":[0]", "\"nodes\":[0,1]").replace("\"nodes\":[{\"mesh\":0}]", nodes);
+
+        assertThat(read(three).mesh().triangles()).isEqualTo(PLANE.triangles());
+        assertThat(read(three.replace("false", "true")).mesh().triangles()).isEqualTo(3 * PLANE.triangles());
+        assertThat(refusal(three.replace("false", "1"))).contains("KHR_node_visibility");
+        String loop = "\"nodes\":[{\"mesh\":0,\"children\":[0]}]";
+        assertThat(refusal(GOOD.replace("\"nodes\":[{\"mesh\":0}]", loop))).contains("node 0", "contains itself");
+    }
+
     /** A triangle of twice its unit in x; its numbers may be of any kind that the extension allows. */
     @ParameterizedTest
     @CsvSource({
