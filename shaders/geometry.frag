@@ -1,14 +1,15 @@
 #version 330 core
 #include "include/relief.glsl"
 #include "include/patch_map.glsl"
-#include "include/patch_state.glsl"
 
 // Geometry pass: surface attributes of each pixel, independent of the light. The costly shading pass (skin.frag) then runs once per pixel
 // instead of once per triangle and 2 x 2 block. If only light or blend weights change, only the shading pass runs again.
 
 uniform sampler2D bodyTexture;
+// Number of the object's first patch, from 1 (sunbeam.app.render.SceneData).
+uniform float firstPatch;
 
-// Unit vector towards the viewer, tangent frame; w is THIS_PATCH, OTHER_PATCH or NO_SKIN.
+// Unit vector towards the viewer, tangent frame; w is the patch's number, 0 where nothing is drawn.
 layout(location = 0) out vec4 view;
 // Unit normal with the relief, world space; w is the tangent frame's handedness, 1 or -1.
 layout(location = 1) out vec4 normal;
@@ -21,7 +22,7 @@ layout(location = 3) out vec4 albedo;
 void main() {
     vec4 relief = reliefTexel();
     mat3 frame = tangentFrameAbout(reliefNormal(relief.xy), patchTurn());
-    view = vec4(viewDirection(frame), patchColorHere() == patchColor ? THIS_PATCH : OTHER_PATCH);
+    view = vec4(viewDirection(frame), firstPatch + patchHere());
     normal = vec4(frame[2], frameHandedness());
     tangent = vec4(frame[0], min(abs(worldTangent.w), 1.0));
     albedo = vec4(skinAlbedo(relief, texture(bodyTexture, surfaceCoordinate).rgb), 1.0);

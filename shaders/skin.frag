@@ -19,6 +19,9 @@ uniform int lastLight;
 uniform sampler2D depths;
 uniform mat4 targetToWorld;
 
+// Number of the patch whose light is drawn, as in geometry.frag.
+uniform float drawnPatch;
+
 // For each fragment the index of the texel of geometry.frag's images that it shades, counted row by row; negative for none.
 uniform sampler2D sources;
 #if COLOR_LEVELS == 1
@@ -122,7 +125,7 @@ void main() {
     ivec2 pixel = ivec2(source % width, source / width);
     vec4 view = texelFetch(views, pixel, 0);
     vec3 wr = view.xyz;
-    bool hasPatch = view.w == THIS_PATCH;
+    bool hasPatch = view.w == drawnPatch;
     vec3 world = worldAt(pixel);
     vec4 seen = texelFetch(tangents, pixel, 0);
     mat3 frame = frameAt(pixel);

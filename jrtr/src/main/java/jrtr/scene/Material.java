@@ -14,11 +14,14 @@ public record Material(Map<String, Texture> textures, Map<String, Float> values)
         values = Map.copyOf(values);
     }
 
+    public Material with(String uniform, double value) {
+        Map<String, Float> all = new HashMap<>(values);
+        all.put(uniform, (float) value);
+        return new Material(textures, all);
+    }
+
     /** Sets the uniforms of jrtr/tangent_frame.glsl: rotation in radians about the normal, counter-clockwise seen from outside. */
     public Material turned(double radians) {
-        Map<String, Float> all = new HashMap<>(values);
-        all.put("tangentCosine", (float) Math.cos(radians));
-        all.put("tangentSine", (float) Math.sin(radians));
-        return new Material(textures, all);
+        return with("tangentCosine", Math.cos(radians)).with("tangentSine", Math.sin(radians));
     }
 }

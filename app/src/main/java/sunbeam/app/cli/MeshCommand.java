@@ -120,6 +120,7 @@ public final class MeshCommand extends FileCommand {
         if (texture.equals(Body.NONE) && scales == Scales.NONE) {
             return Optional.empty();
         }
-        return Optional.of(SkinMaps.of(Body.load(texture, scales, Body.NONE, BlobCache.NONE)));
+        return Optional.of(
+                SkinMaps.of(Body.load(texture, scales, Body.NONE, Body.patches(Body.NONE, List.of()), BlobCache.NONE)));
     }
 }

@@ -7,6 +7,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.render.SceneData.ReflectanceComponent;
+import sunbeam.app.render.SceneShape.Thing;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
@@ -24,26 +25,27 @@ public final class FrameText {
     private final String inputs;
 
     /**
-     * @param parts data of the scene, one for each patch and reflectance component
+     * @param parts data of the scene, one for each look, patch and reflectance component
      * @param overlays description of what is drawn over the picture; empty for nothing
      */
     public FrameText(List<SceneData> parts, int width, int height, PixelSamples samples, String overlays) {
         this.parts = List.copyOf(parts);
         this.size = width + "x" + height;
         this.samples = samples;
-        Mesh mesh = parts.get(0).mesh();
-        Body body = parts.get(0).body();
-        String meshAndBody = new Checksum()
-                .add(mesh.positions())
-                .add(mesh.normals())
-                .add(mesh.tangents())
-                .add(mesh.textureCoordinates())
-                .add(mesh.indices())
-                .add(body.colors().rgba())
-                .add(body.relief().rgba())
-                .add(body.directions().rgba())
-                .add(body.patches().rgba())
-                .hex();
+        Checksum things = new Checksum();
+        for (Thing thing : parts.get(0).shape().things()) {
+            Mesh mesh = thing.mesh();
+            Body body = thing.body();
+            things.add(mesh.positions())
+                    .add(mesh.normals())
+                    .add(mesh.tangents())
+                    .add(mesh.textureCoordinates())
+                    .add(mesh.indices())
+                    .add(body.colors().rgba())
+                    .add(body.relief().rgba())
+                    .add(body.directions().rgba())
+                    .add(body.patches().rgba());
+        }
         inputs = String.join(
                 "|",
                 Environment.version(),
@@ -51,7 +53,7 @@ public final class FrameText {
                 joined(data -> data.reflectanceComponent()
                         .map(ReflectanceComponent::digest)
                         .orElse("")),
-                meshAndBody,
+                things.hex(),
                 size,
                 samples.describe() + overlays);
     }

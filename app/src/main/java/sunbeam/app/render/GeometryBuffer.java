@@ -35,7 +35,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         return textures;
     }
 
-    /** Full layout only: direction to the viewer, and a value that is 0 without skin (include/patch_state.glsl); top row first. */
+    /** Full layout only: direction to the viewer, and the patch's number ({@link SceneData#patchNumber}), 0 without skin; top row first. */
     float[] views(Tile part) {
         return attributes.read(0, part);
     }

@@ -22,7 +22,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.SkyVisibility;
 
-/** The plane on which a mesh lies (shaders/ground.frag). It turns with the mesh and hides the background. */
+/** The plane on which the model lies (shaders/ground.frag). It turns with the model and hides the background. */
 final class Ground implements AutoCloseable {
     private static final int CHANNELS = 4;
     // In pixels, of the squares of a moving picture with one sample.
@@ -32,6 +32,7 @@ final class Ground implements AutoCloseable {
     private static final float MOST_OPAQUE = Math.nextDown(1f);
 
     private final RenderContext context;
+    private final BoundingSphere bounds;
     private final double height;
     private final FloatTexture sky;
     private final CachedTarget target = new CachedTarget();
@@ -40,12 +41,14 @@ final class Ground implements AutoCloseable {
     private Optional<ShaderProgram> moving = Optional.empty();
 
     /**
-     * @param height height of the mesh's lowest point in meters
+     * @param bounds sphere around the model, model space
+     * @param height height of the model's lowest point in meters
      * @param seen the ground's visible share of the sky
      */
-    Ground(RenderContext context, double height, SkyVisibility seen) {
+    Ground(RenderContext context, BoundingSphere bounds, double height, SkyVisibility seen) {
         int side = SkyVisibility.GROUND_SIDE;
         this.context = context;
+        this.bounds = bounds;
         this.height = height;
         this.sky = context.createFloatTexture(
                 "sky above the ground",
@@ -138,7 +141,6 @@ final class Ground implements AutoCloseable {
     }
 
     private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, LightList lights, Tile block) {
-        BoundingSphere bounds = geometry.bounds();
         Matrix4fc toWorld = SceneGraph.modelToWorld(scene.orientation(), bounds.center());
         float reach = (float) SkyVisibility.GROUND_REACH * bounds.radius();
         Vector3fc center = bounds.center();

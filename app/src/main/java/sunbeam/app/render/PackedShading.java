@@ -34,9 +34,14 @@ final class PackedShading implements AutoCloseable {
         this.target = Resource.orClose(() -> context.createFloatTarget("packed radiance", spec), sources::close);
     }
 
-    /** Part of a block to shade. The buffer has also the geometry beside it, since footprints are differences to neighbors. */
+    /**
+     * Part of a block to shade. The buffer has also the geometry beside it, since footprints are differences to neighbors.
+     *
+     * @param data look whose pixels are shaded, and patch that is diffracted
+     */
     record Part(
             SkinSurface skin,
+            SceneData data,
             DrawRequest request,
             SkinGeometry geometry,
             GeometryBuffer buffer,
@@ -55,8 +60,10 @@ final class PackedShading implements AutoCloseable {
             return skin.virtualTexture().orElseThrow();
         }
 
-        /** Returns the indices of drawn samples that show skin, ordered square by square. */
+        /** Returns the indices of drawn samples that show the look, ordered square by square. */
         int[] covered() {
+            int first = SceneData.patchNumber(data.look(), 0);
+            int beyond = SceneData.patchNumber(data.look() + 1, 0);
             float[] views = buffer.views(piece.inBlock());
             int columns = columns();
             int rows = rows();
@@ -68,8 +75,8 @@ final class PackedShading implements AutoCloseable {
                         for (int column = left; column < Math.min(left + SQUARE, columns); column++) {
                             int x = request.x(column, row);
                             int y = request.down() * row;
-                            if (views[CHANNELS * (y * piece.inBlock().width() + x) + 3] > 0
-                                    && request.draws(piece.x() + x, piece.y() + y)) {
+                            float patch = views[CHANNELS * (y * piece.inBlock().width() + x) + 3];
+                            if (patch >= first && patch < beyond && request.draws(piece.x() + x, piece.y() + y)) {
                                 pixels[count++] = row * columns + column;
                             }
                         }

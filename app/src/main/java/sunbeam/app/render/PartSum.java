@@ -2,12 +2,14 @@ package sunbeam.app.render;
 
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
 import jrtr.Tile;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -18,7 +20,7 @@ import sunbeam.app.scene.SceneSettings.BodyAlpha;
 import sunbeam.precompute.method.TableMethod;
 
 /**
- * Draws a scene as the sum of its parts' diffracted light, one part per patch and reflectance component, over the body
+ * Draws a scene look by look: the sum of the parts' diffracted light, one part per patch and reflectance component, over the body
  * (shaders/include/blend.glsl). The body is blended in after the sum, since its visibility depends on all diffracted light.
  *
  * @param sessions one session per part
@@ -42,10 +44,17 @@ public record PartSum(List<SceneSession> sessions) {
 
     /** Draws all samples of a tile of a picture (see {@link SceneSession#draw}). */
     public ScenePicture draw(DrawRequest request) {
-        return sessions.size() == 1
-                ? sessions.get(0).draw(request)
-                : ScenePicture.sum(
-                        request.perLight().stream().map(this::underOneLight).toList());
+        List<ScenePicture> looks = new ArrayList<>();
+        looks().forEach((object, parts) -> {
+            DrawRequest own = request.with(request.scene().at(object));
+            looks.add(
+                    parts.size() == 1
+                            ? parts.get(0).draw(own)
+                            : ScenePicture.sum(own.perLight().stream()
+                                    .map(light -> underOneLight(parts, light))
+                                    .toList()));
+        });
+        return ScenePicture.joined(looks);
     }
 
     /** Draws a tile of pixels. With adaptive samples, pixels whose first samples differ are drawn again with all samples. */
@@ -96,9 +105,16 @@ public record PartSum(List<SceneSession> sessions) {
         return Tile.whole((int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));
     }
 
-    private ScenePicture underOneLight(DrawRequest request) {
-        ScenePicture light = light(request, SceneSession::draw);
-        return request.scene().hasBody() ? over(body(request), light, request) : light;
+    /** Returns the sessions of each look, the look's first object as key. */
+    private Map<Integer, List<SceneSession>> looks() {
+        return sessions.stream()
+                .collect(Collectors.groupingBy(
+                        session -> session.data().look(), LinkedHashMap::new, Collectors.toList()));
+    }
+
+    private static ScenePicture underOneLight(List<SceneSession> parts, DrawRequest request) {
+        ScenePicture light = light(parts, request, SceneSession::draw);
+        return request.scene().hasBody() ? over(body(parts, request), light, request) : light;
     }
 
     /**
@@ -119,42 +135,47 @@ public record PartSum(List<SceneSession> sessions) {
             BooleanSupplier interrupted) {
         int columns = SceneBlocks.ceilDiv(width, stride);
         int rows = SceneBlocks.ceilDiv(height, stride);
-        List<ScenePicture> lit = new ArrayList<>();
-        int lights = LightList.of(scene).count();
-        for (int i = 0; i < lights; i++) {
-            OptionalInt alone = OptionalInt.of(i);
-            ScenePicture light = ScenePicture.empty(columns, rows);
-            boolean isWhole = tiles.draw(Tile.whole(columns, rows).divide(TimedTiles.LARGEST), interrupted, few -> {
-                int x = stride * few.x();
-                int y = stride * few.y();
-                int right = Math.min(x + stride * few.width(), width);
-                int bottom = Math.min(y + stride * few.height(), height);
-                Tile tile = new Tile(x, y, right - x, bottom - y);
-                var request =
-                        new DrawRequest(scene, width, height, tile, 1, stride, stride, false, Optional.empty(), alone);
-                light.put(light(request, SceneSession::drawResident), few.x(), few.y());
-            });
-            if (!isWhole) {
-                return Optional.empty();
+        List<ScenePicture> looks = new ArrayList<>();
+        for (Map.Entry<Integer, List<SceneSession>> look : looks().entrySet()) {
+            List<SceneSession> parts = look.getValue();
+            Scene own = scene.at(look.getKey());
+            DrawRequest whole = DrawRequest.ofPixels(own, width, height, Tile.whole(width, height), 1);
+            List<ScenePicture> lit = new ArrayList<>();
+            for (DrawRequest one : whole.perLight()) {
+                ScenePicture light = ScenePicture.empty(columns, rows);
+                boolean isWhole = tiles.draw(Tile.whole(columns, rows).divide(TimedTiles.LARGEST), interrupted, few -> {
+                    int x = stride * few.x();
+                    int y = stride * few.y();
+                    int right = Math.min(x + stride * few.width(), width);
+                    int bottom = Math.min(y + stride * few.height(), height);
+                    Tile tile = new Tile(x, y, right - x, bottom - y);
+                    var request = new DrawRequest(
+                            own, width, height, tile, 1, stride, stride, false, Optional.empty(), one.light());
+                    light.put(light(parts, request, SceneSession::drawResident), few.x(), few.y());
+                });
+                if (!isWhole) {
+                    return Optional.empty();
+                }
+                ScenePicture body = body(parts, one);
+                lit.add(over(body, light.enlarged(stride, body, white), one));
             }
-            DrawRequest whole = DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), 1)
-                    .perLight()
-                    .get(i);
-            ScenePicture body = body(whole);
-            lit.add(over(body, light.enlarged(stride, body, white), whole));
+            looks.add(ScenePicture.sum(lit));
         }
-        return Optional.of(ScenePicture.sum(lit));
+        return Optional.of(ScenePicture.joined(looks));
     }
 
-    private ScenePicture light(DrawRequest request, BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {
+    private static ScenePicture light(
+            List<SceneSession> parts,
+            DrawRequest request,
+            BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {
         DrawRequest diffracted = request.with(request.scene().withoutBody());
         ScenePicture light = ScenePicture.empty(request.columns(request.tile()), request.rows(request.tile()));
-        sessions.forEach(session -> add(drawing.apply(session, diffracted), light));
+        parts.forEach(session -> add(drawing.apply(session, diffracted), light));
         return light;
     }
 
-    private ScenePicture body(DrawRequest request) {
-        return sessions.get(0).draw(request.with(request.scene().with(SceneSettings.DIFFRACTION, 0.0)));
+    private static ScenePicture body(List<SceneSession> parts, DrawRequest request) {
+        return parts.get(0).draw(request.with(request.scene().with(SceneSettings.DIFFRACTION, 0.0)));
     }
 
     /** A missing color adds no diffracted light. All parts have the same coverage, except that a missing color has -1 instead of 1. */

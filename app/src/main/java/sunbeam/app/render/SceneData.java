@@ -2,17 +2,16 @@ package sunbeam.app.render;
 
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import sunbeam.app.render.SceneLoader.SceneShape;
+import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.mesh.Mesh;
-import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.files.Sha256;
@@ -25,10 +24,12 @@ import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.setting.Choices;
 
 /**
- * Input of a {@link SceneSession} for one patch and one reflectance component. A scene's parts share the objects of mesh, sky and textures.
+ * Input of a {@link SceneSession} for one look, one patch and one reflectance component. A scene's parts share meshes, sky and textures, and
+ * parts with equal tables share these.
  *
- * @param shape mesh and bodies, which a scene's parts share
- * @param region index of the patch in the scene, to which method and tables belong
+ * @param scene scene whose current object is the first with the part's look
+ * @param shape objects without diffraction, which a scene's parts share
+ * @param region index of the patch in that object, to which method and tables belong
  * @param method plan for every pair of directions
  * @param bakers bakers of the color table's tiles; empty for methods without one
  * @param reflectanceComponent component of method and tables; empty for an index that is the same at all wavelengths
@@ -43,13 +44,19 @@ public record SceneData(
         Optional<LevelBakers> bakers,
         Optional<ReflectanceComponent> reflectanceComponent) {
 
-    public Mesh mesh() {
-        return shape.mesh();
+    /** Returns the index of the first object with the part's look. */
+    public int look() {
+        return scene.current();
     }
 
-    /** Returns texture, scales and orientations of the mesh, and the area that the patch covers. */
-    public Body body() {
-        return shape.bodies().get(region);
+    /** True if this part draws light of a patch of one of the scene's objects. */
+    public boolean draws(int object, int regionOfObject) {
+        return region == regionOfObject && scene.looks().get(object) == look();
+    }
+
+    /** Returns the number of a patch in the geometry pass (shaders/geometry.frag), from 1. */
+    static int patchNumber(int look, int region) {
+        return 1 + PatchAtlas.MOST * look + region;
     }
 
     /** Returns notes and warnings about a patch, and about its size under the scene's method: one line each, with its name. */
@@ -65,7 +72,7 @@ public record SceneData(
 
     /** True if another scene differs only in light, camera, weights and other settings that need no loading. */
     public boolean suits(Scene other) {
-        return scene.sharesParts(other);
+        return SceneSharing.sharesParts(scene, other);
     }
 
     /** Returns the same data for another scene. Throws IllegalArgumentException unless {@link #suits} allows it. */
@@ -74,17 +81,18 @@ public record SceneData(
             throw new IllegalArgumentException(
                     "a scene with another mesh, patch, texture or method must be loaded by a SceneLoader");
         }
-        return other.equals(scene) ? this : with(other, shape);
+        return other.at(look()).equals(scene) ? this : with(other, shape);
     }
 
     SceneData with(Scene other, SceneShape otherShape) {
-        return new SceneData(other, otherShape, region, patch, method, tables, bakers, reflectanceComponent);
+        Scene own = other.at(look());
+        return new SceneData(own, otherShape, region, patch, method, tables, bakers, reflectanceComponent);
     }
 
-    /** Returns one value for each patch of a scene, in order. */
+    /** Returns one value for each patch of each look of a scene, in order. */
     public static <T> List<T> ofRegions(List<SceneData> parts, Function<SceneData, T> value) {
-        Map<Integer, T> all = new TreeMap<>();
-        parts.forEach(part -> all.putIfAbsent(part.region(), value.apply(part)));
+        Map<List<Integer>, T> all = new LinkedHashMap<>();
+        parts.forEach(part -> all.putIfAbsent(List.of(part.look(), part.region()), value.apply(part)));
         return List.copyOf(all.values());
     }
 
@@ -102,6 +110,11 @@ public record SceneData(
      * @param digest hash of the index over the visible wavelengths
      */
     public record ReflectanceComponent(ReflectionPart reflection, String digest) {
+
+        /** Equal for components with equal tables. */
+        List<Object> identity() {
+            return List.of(digest, reflection.constant(), reflection.schlick());
+        }
 
         static List<ReflectanceComponent> of(RefractiveIndex index, CieTable cie) {
             float[] reflectances = new float[401];

@@ -3,25 +3,26 @@ package sunbeam.app.render;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.render.SceneData.ReflectanceComponent;
-import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.scene.mesh.Mesh;
-import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.mesh.SkyVisibility;
-import sunbeam.app.scene.texture.Body;
-import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.method.ColorTablePlan;
@@ -31,6 +32,7 @@ import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.ShaderTables;
@@ -64,7 +66,7 @@ public final class SceneLoader {
     }
 
     /**
-     * Loads a scene's parts, one per patch and reflectance component, ordered by patch; the scene's picture is their sum.
+     * Loads a scene's parts, one per look, patch and reflectance component, in this order; the scene's picture is made of them.
      *
      * @param shape the scene's {@link #shape}; may still be loading, since the patches mostly use one processor
      * @throws sunbeam.precompute.files.InputException if mesh, texture, map, index, patch or its descriptor cannot be used
@@ -72,8 +74,7 @@ public final class SceneLoader {
      */
     public List<SceneData> parts(Scene scene, BackgroundTask<SceneShape> shape) {
         try {
-            List<Optional<ReflectanceComponent>> parts = reflectanceComponents(scene);
-            return withTables(scene, shape::get, patches(scene), parts, share -> {});
+            return withTables(scene, shape::get, List.of(), share -> {});
         } finally {
             shape.settle();
         }
@@ -81,57 +82,91 @@ public final class SceneLoader {
 
     /** Loads a scene without diffraction; computes the visible sky in the background if the scene needs it. */
     public SceneShape shape(Scene scene) {
-        Mesh mesh = mesh(scene);
-        return new SceneShape(mesh, sky(scene, mesh), bodies(scene));
+        return SceneShape.load(scene, null, scene, cache, warning);
     }
 
     /** Loads a scene's parts, reusing data of unchanged settings without checking files; {@code progress} gets shares, 0 to 1. */
     public List<SceneData> parts(Scene scene, List<SceneData> previous, DoubleConsumer progress) {
         SceneData first = previous.get(0);
-        if (first.suits(scene)) {
+        Scene before = first.scene();
+        if (SceneSharing.sharesParts(before, scene)) {
             return previous.stream().map(part -> part.with(scene)).toList();
         }
-        Scene before = first.scene();
-        boolean sameMesh = before.mesh().equals(scene.mesh());
-        boolean samePlaces = before.patches().equals(scene.patches());
-        Mesh mesh = sameMesh ? first.mesh() : mesh(scene);
-        SceneShape shape = new SceneShape(
-                mesh,
-                sameMesh ? first.shape().sky() : sky(scene, mesh),
-                samePlaces && before.sharesBody(scene) ? first.shape().bodies() : bodies(scene));
-        boolean samePatches =
-                samePlaces && before.method().isThesis() == scene.method().isThesis();
-        boolean sameMethod = before.method().method().equals(scene.method().method())
-                && before.method().light().equals(scene.method().light())
-                && before.tabulatedSlopes() == scene.tabulatedSlopes();
-        if (samePatches && sameMethod && before.sharesReflectance(scene)) {
-            return previous.stream().map(part -> part.with(scene, shape)).toList();
-        }
-        List<Patch> patches = samePatches ? SceneData.ofRegions(previous, SceneData::patch) : patches(scene);
-        progress.accept(HEIGHTS_READ);
-        return withTables(scene, () -> shape, patches, reflectanceComponents(scene), progress);
+        SceneShape shape = SceneShape.load(scene, first.shape(), before, cache, warning);
+        return withTables(scene, () -> shape, previous, progress);
     }
 
     private List<SceneData> withTables(
-            Scene scene,
-            Supplier<SceneShape> shape,
-            List<Patch> patches,
-            List<Optional<ReflectanceComponent>> parts,
-            DoubleConsumer progress) {
-        List<SceneData> loaded = new ArrayList<>();
-        int count = patches.size() * parts.size();
-        for (int region = 0; region < patches.size(); region++) {
-            Patch patch = patches.get(region);
-            SceneData.patchRemarks(scene, patch).forEach(patchRemark);
-            for (Optional<ReflectanceComponent> part : parts) {
-                int before = loaded.size();
-                DoubleConsumer progressOfAll =
-                        share -> progress.accept(HEIGHTS_READ + (1 - HEIGHTS_READ) * (before + share) / count);
-                loaded.add(withTables(scene, shape, region, patch, part, progressOfAll));
+            Scene scene, Supplier<SceneShape> shape, List<SceneData> previous, DoubleConsumer progress) {
+        List<Scene> looks = scene.looks().stream().distinct().map(scene::at).toList();
+        Map<PatchRequest, Patch> patches = new HashMap<>();
+        previous.forEach(part -> patches.put(heights(part.scene(), part.region()), part.patch()));
+        List<PartInput> inputs = new ArrayList<>();
+        for (Scene look : looks) {
+            List<Optional<ReflectanceComponent>> components = reflectanceComponents(look);
+            for (int region = 0; region < look.patches().regions().size(); region++) {
+                Patch patch = patches.computeIfAbsent(
+                        heights(look, region), request -> PatchLoader.load(request, cache::heights));
+                for (Optional<ReflectanceComponent> component : components) {
+                    inputs.add(new PartInput(look, region, patch, component));
+                }
             }
-            warnOfSteps(loaded.get(loaded.size() - 1));
+        }
+        progress.accept(HEIGHTS_READ);
+        List<SceneData> loaded = new ArrayList<>();
+        Set<Patch> remarked = new HashSet<>();
+        for (PartInput input : inputs) {
+            int done = loaded.size();
+            DoubleConsumer progressOfAll =
+                    share -> progress.accept(HEIGHTS_READ + (1 - HEIGHTS_READ) * (done + share) / inputs.size());
+            Optional<SceneData> equal = Stream.concat(loaded.stream(), previous.stream())
+                    .filter(input::sharesTables)
+                    .findFirst();
+            boolean isNew = equal.isEmpty() && remarked.add(input.patch);
+            if (isNew) {
+                SceneData.patchRemarks(scene, input.patch).forEach(patchRemark);
+            }
+            loaded.add(equal.map(other -> input.with(other, shape.get()))
+                    .orElseGet(() -> withTables(input, shape, progressOfAll)));
+            if (isNew) {
+                warnOfSteps(loaded.get(done));
+            }
         }
         return List.copyOf(loaded);
+    }
+
+    private static PatchRequest heights(Scene look, int region) {
+        return look.patches().regions().get(region).patch().raw(look.method().isThesis());
+    }
+
+    /** Input of a part's tables. */
+    private record PartInput(Scene look, int region, Patch patch, Optional<ReflectanceComponent> component) {
+        /** True if another part has the same tables; patches are compared as objects. */
+        @SuppressWarnings("ReferenceEquality")
+        boolean sharesTables(SceneData other) {
+            Scene before = other.scene();
+            return other.patch() == patch
+                    && before.method().method().equals(look.method().method())
+                    && before.method().isThesis() == look.method().isThesis()
+                    && before.method().light().equals(look.method().light())
+                    && before.tabulatedSlopes() == look.tabulatedSlopes()
+                    && SceneSharing.sharesReflectance(before, look)
+                    && component
+                            .map(ReflectanceComponent::identity)
+                            .equals(other.reflectanceComponent().map(ReflectanceComponent::identity));
+        }
+
+        SceneData with(SceneData tables, SceneShape shape) {
+            return new SceneData(
+                    look,
+                    shape,
+                    region,
+                    patch,
+                    tables.method(),
+                    tables.tables(),
+                    tables.bakers(),
+                    tables.reflectanceComponent());
+        }
     }
 
     private void warnOfSteps(SceneData data) {
@@ -170,46 +205,14 @@ public final class SceneLoader {
         }
     }
 
-    private Mesh mesh(Scene scene) {
-        MeshSource.Loaded read = scene.mesh().load();
-        read.warnings().forEach(warning);
-        return read.mesh();
-    }
-
-    private Supplier<SkyVisibility> sky(Scene scene, Mesh mesh) {
-        Supplier<SkyVisibility> computed = () -> SkyVisibility.of(mesh, cache);
-        return scene.occludesSky() ? BackgroundTask.start(computed)::get : computed;
-    }
-
-    private List<Body> bodies(Scene scene) {
-        String directions = scene.get(SceneSettings.ORIENTATION_MAP);
-        Body body = Body.load(scene.get(SceneSettings.TEXTURE), scene.effectiveScales(), directions, cache);
-        PatchAtlas atlas = scene.patches();
-        BodyTexture map = Body.patches(atlas.map(), atlas.colors());
-        return atlas.regions().stream()
-                .map(region -> body.with(map, region.color().rgb()))
-                .toList();
-    }
-
-    private List<Patch> patches(Scene scene) {
-        return scene.patches().regions().stream()
-                .map(region -> region.patch().raw(scene.method().isThesis()))
-                .map(request -> PatchLoader.load(request, cache::heights))
-                .toList();
-    }
-
     /** Plans for every pair of directions, since light and camera may move. */
-    private SceneData withTables(
-            Scene scene,
-            Supplier<SceneShape> shape,
-            int region,
-            Patch patch,
-            Optional<ReflectanceComponent> part,
-            DoubleConsumer progress) {
+    private SceneData withTables(PartInput input, Supplier<SceneShape> shape, DoubleConsumer progress) {
+        Scene scene = input.look;
+        Patch patch = input.patch;
         Choices choices = scene.method().choices();
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning).withLight(LightTable.of(choices));
-        Surface surface = part.map(
-                        found -> setup.surface().withLight(found.reflection().cie()))
+        Surface surface = input.component
+                .map(found -> setup.surface().withLight(found.reflection().cie()))
                 .orElse(setup.surface());
         MethodPlan planned =
                 choices.located(() -> scene.method().seeing(patch).method().plan(surface, VisibleRange.all()));
@@ -228,16 +231,8 @@ public final class SceneLoader {
                 .orElse(made);
         Optional<LevelBakers> bakers = levels.map(plan ->
                 new LevelBakers(plan, setup.withShortfall(line -> warning.accept(patch.name() + ": " + line))));
-        return new SceneData(scene, shape.get(), region, patch, method, tables, bakers, part);
+        return new SceneData(scene, shape.get(), input.region, patch, method, tables, bakers, input.component);
     }
-
-    /**
-     * Data of a scene without its diffraction, which takes longer to load.
-     *
-     * @param sky visible share of the sky; computed on first use
-     * @param bodies texture, scales and orientations of the mesh, each with the area of one patch
-     */
-    public record SceneShape(Mesh mesh, Supplier<SkyVisibility> sky, List<Body> bodies) {}
 
     /** Loads a scene in the background while OpenGL starts, and uploads its shape and parts as they are loaded. */
     public static final class LoadingScene implements AutoCloseable {
@@ -263,16 +258,8 @@ public final class SceneLoader {
 
         /** Uploads each part as a session, which the caller closes. Throws {@link GraphicsException} if the device has no room. */
         public List<SceneSession> upload(RenderContext context) {
-            List<SceneSession> sessions = new ArrayList<>();
-            try {
-                sessions.add(new SceneSession(context, scene, shape.get()));
-                sessions.get(0).update(parts.get().get(0));
-                parts.get().stream().skip(1).forEach(part -> sessions.add(new SceneSession(context, part)));
-                return List.copyOf(sessions);
-            } catch (RuntimeException | OutOfMemoryError failure) {
-                sessions.forEach(SceneSession::close);
-                throw failure;
-            }
+            SceneSession first = new SceneSession(context, scene, shape.get());
+            return Resource.orClose(() -> SceneSession.all(first, parts.get()), first::close);
         }
 
         @Override

@@ -30,6 +30,20 @@ public record ScenePicture(int width, int height, float[] rgba) {
         return pictures.get(0);
     }
 
+    /** Puts the pixels of further pictures that show the mesh into the first, and returns it. No pixel shows the mesh in two. */
+    static ScenePicture joined(List<ScenePicture> pictures) {
+        ScenePicture first = pictures.get(0);
+        for (ScenePicture other : pictures.subList(1, pictures.size())) {
+            for (int i = 0; i < first.rgba.length; i += CHANNELS) {
+                // The ground may be in a later picture.
+                if (other.isMesh(i) || first.rgba[i + 3] == 0) {
+                    System.arraycopy(other.rgba, i, first.rgba, i, CHANNELS);
+                }
+            }
+        }
+        return first;
+    }
+
     /** Copies a tile into this picture, its top left pixel to column x and row y. */
     public void put(ScenePicture part, int x, int y) {
         for (int row = 0; row < part.height; row++) {

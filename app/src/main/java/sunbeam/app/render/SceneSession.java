@@ -2,84 +2,128 @@ package sunbeam.app.render;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
-import java.util.HashMap;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
 import jrtr.scene.View;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.DrawRequest.SceneBlocks;
 import sunbeam.app.render.GeometryBuffer.Layout;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
-import sunbeam.app.render.SceneLoader.SceneShape;
-import sunbeam.app.render.UploadedScene.Picking;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.precompute.errors.ErrorStatistics;
 
 /**
- * A scene in graphics memory, drawn in tiles of any size. A pixel depends on the scene, the picture's size and its position, bit for bit,
- * not on its tile. Belongs to its context's thread. Owns its uploads, not the context.
+ * A part of a scene in graphics memory, drawn in tiles of any size. A pixel depends on the scene, the picture's size and its position, bit
+ * for bit, not on its tile. Belongs to its context's thread. Owns its uploads, not the context.
  */
 public final class SceneSession implements AutoCloseable {
     /** In pixels: two of the blocks of 64 x 64 that llvmpipe gives to each processor. */
     public static final int TILE_SIDE = 128;
 
     private final RenderContext context;
-    private final Map<Layout, GeometryBuffer.Cache> buffers = new HashMap<>();
     private final PackedShading shading;
-    private final Picking picking;
     private final UploadedScene uploaded;
+    private final boolean ownsUploaded;
+    private SkinSurface skin;
+    private SceneData data;
     private long meshNanoseconds;
 
-    /** Uploads a scene; throws {@link jrtr.GraphicsException} if the device has no room for it. */
+    /** Uploads a part and its scene; throws {@link jrtr.GraphicsException} if the device has no room for it. */
     public SceneSession(RenderContext context, SceneData data) {
-        this(context, uploaded -> uploaded.update(data));
+        this(context, new UploadedScene(context), true, session -> session.update(data));
     }
 
     /** Uploads a scene without its diffraction: until {@link #update(SceneData)} only {@link #body} can draw it. */
     public SceneSession(RenderContext context, Scene scene, SceneShape shape) {
-        this(context, uploaded -> uploaded.upload(scene, shape));
+        this(context, new UploadedScene(context), true, session -> {
+            session.uploaded.upload(scene, shape);
+            session.skin = new SkinSurface(context, Optional.empty());
+        });
     }
 
-    private SceneSession(RenderContext context, Consumer<UploadedScene> upload) {
+    /** Uploads a further part of the scene of another session, which must be closed last or with this one. */
+    private SceneSession(SceneSession first, SceneData data) {
+        this(first.context, first.uploaded, false, session -> session.update(data));
+    }
+
+    private SceneSession(
+            RenderContext context, UploadedScene uploaded, boolean ownsUploaded, Consumer<SceneSession> upload) {
         this.context = context;
+        this.uploaded = uploaded;
+        this.ownsUploaded = ownsUploaded;
         this.shading = new PackedShading(context);
-        this.picking = Picking.in(context);
-        this.uploaded = new UploadedScene(context);
         try {
-            upload.accept(uploaded);
+            upload.accept(this);
         } catch (RuntimeException | Error failure) {
             close();
             throw failure;
         }
     }
 
+    /** Uploads the parts of a scene, which share its meshes and textures. */
+    public static List<SceneSession> all(RenderContext context, List<SceneData> parts) {
+        SceneSession first = new SceneSession(context, parts.get(0));
+        return Resource.orClose(() -> all(first, parts), first::close);
+    }
+
+    /** Uploads the parts of a scene, the first into a session, which the caller closes if that fails. */
+    public static List<SceneSession> all(SceneSession first, List<SceneData> parts) {
+        List<SceneSession> sessions = new ArrayList<>(List.of(first));
+        first.update(parts.get(0));
+        try {
+            parts.stream().skip(1).forEach(part -> sessions.add(new SceneSession(first, part)));
+            return List.copyOf(sessions);
+        } catch (RuntimeException | Error failure) {
+            sessions.subList(1, sessions.size()).forEach(SceneSession::close);
+            throw failure;
+        }
+    }
+
     public SceneData data() {
-        return uploaded.data();
+        return data;
     }
 
     /** Callers may use the tables in this context until the next update. */
     public UploadedTables method() {
-        return uploaded.skin().method();
+        return skin.method();
     }
 
     public Scene scene() {
-        return data().scene();
+        return data.scene();
     }
 
     /** Changes the scene; the same objects stay uploaded. Throws {@link jrtr.GraphicsException} without room and keeps the old scene. */
     public void update(SceneData next) {
-        uploaded.update(next);
+        boolean sharesMethod = data != null && next.sharesMethod(data);
+        SkinSurface nextSkin = sharesMethod ? skin : new SkinSurface(context, Optional.of(next));
+        Resource.orClose(
+                () -> {
+                    uploaded.upload(next.scene(), next.shape());
+                    return uploaded;
+                },
+                () -> closeUnlessSame(nextSkin, skin));
+        closeUnlessSame(skin, nextSkin);
+        skin = nextSkin;
+        data = next;
+    }
+
+    private static void closeUnlessSame(SkinSurface surface, SkinSurface other) {
+        if (surface != null && surface != other) {
+            surface.close();
+        }
     }
 
     /** Changes to another scene without upload. Throws IllegalArgumentException unless {@link SceneData#suits} allows it. */
     public void update(Scene next) {
-        update(data().with(next));
+        update(data.with(next));
     }
 
     /** Returns tiles block by block. Any other division draws the same picture; alternating between blocks is slower. */
@@ -102,10 +146,19 @@ public final class SceneSession implements AutoCloseable {
 
     /** Draws from resident tiles. Pixels that need another show the body and have {@link PackedShading#MISSING_COVERAGE}. */
     ScenePicture drawResident(DrawRequest request) {
-        if (!data().suits(request.scene())) {
+        if (!SceneSharing.sharesData(data.scene(), request.scene())) {
             throw new IllegalArgumentException(
                     "a scene with another mesh, patch, texture or method needs an update first");
         }
+        return drawLook(own(request));
+    }
+
+    /** Returns a request whose scene has this part's look as current one. */
+    private DrawRequest own(DrawRequest request) {
+        return request.with(request.scene().at(data.look()));
+    }
+
+    private ScenePicture drawLook(DrawRequest request) {
         SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height());
         LightList lights = request.lights();
         LightTexture inMemory = uploaded.lights(geometry, lights, false);
@@ -127,13 +180,12 @@ public final class SceneSession implements AutoCloseable {
             LightTexture inMemory,
             SceneBlocks.Piece piece) {
         GeometryBuffer buffer = drawn(Layout.FULL, geometry, piece.block());
-        return new PackedShading.Part(uploaded.skin(), request, geometry, buffer, lights, inMemory, piece);
+        return new PackedShading.Part(skin, data, request, geometry, buffer, lights, inMemory, piece);
     }
 
     private GeometryBuffer drawn(Layout layout, SkinGeometry geometry, Tile block) {
         long start = System.nanoTime();
-        var cache = buffers.computeIfAbsent(layout, absent -> new GeometryBuffer.Cache(context, layout));
-        GeometryBuffer buffer = cache.of(geometry, block);
+        GeometryBuffer buffer = uploaded.drawn(layout, geometry, block);
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
     }
@@ -146,7 +198,7 @@ public final class SceneSession implements AutoCloseable {
                 virtualTexture().ifPresent(VirtualTexture::clearFeedback);
                 return false;
             }
-            DrawRequest request = parts.get(i);
+            DrawRequest request = own(parts.get(i));
             SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height());
             LightList lights = request.lights();
             LightTexture inMemory = uploaded.lights(geometry, lights, false);
@@ -175,7 +227,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     public Optional<VirtualTexture> virtualTexture() {
-        return uploaded.skin().virtualTexture();
+        return skin.virtualTexture();
     }
 
     /** Requests the tiles of a picture and of its metered one; may take seconds. Returns false if {@code interrupted}, polled per part. */
@@ -215,8 +267,8 @@ public final class SceneSession implements AutoCloseable {
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
             GeometryBuffer buffer = drawn(Layout.MOVING, geometry, piece.block());
-            int[] part = uploaded.skin()
-                    .drawMoving(scene, uploaded.ground(scene), geometry, lights, buffer, piece.block(), exposure);
+            int[] part =
+                    skin.drawMoving(scene, uploaded.ground(scene), geometry, lights, buffer, piece.block(), exposure);
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
@@ -242,14 +294,15 @@ public final class SceneSession implements AutoCloseable {
 
     /** Returns the point under a pixel, from the top left; empty for background. The pixel must lie in the picture. */
     public Optional<Pick> pick(int x, int y, int width, int height) {
-        return picking.pick(uploaded, scene(), new View.Area(width, height, new Tile(x, y, 1, 1)));
+        return uploaded.pick(scene(), new View.Area(width, height, new Tile(x, y, 1, 1)));
     }
 
     @Override
     public void close() {
-        uploaded.close();
-        picking.close();
+        closeUnlessSame(skin, null);
         shading.close();
-        buffers.values().forEach(GeometryBuffer.Cache::close);
+        if (ownsUploaded) {
+            uploaded.close();
+        }
     }
 }

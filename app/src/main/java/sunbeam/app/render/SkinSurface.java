@@ -119,6 +119,8 @@ final class SkinSurface implements AutoCloseable {
             program = method.program("skin.frag", Map.of("COLOR_LEVELS", texture.isPresent() ? "1" : "0"));
         }
         setBlend(program, scene);
+        program.set("drawnPatch", (float)
+                SceneData.patchNumber(part.data().look(), part.data().region()));
         program.set("firstLight", firstLight);
         program.set("lastLight", lastLight);
         program.set("lightGroups", part.lights().groups().size());

@@ -1,11 +1,15 @@
 package sunbeam.app.render;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
-import java.util.function.Supplier;
+import java.util.Set;
 import jrtr.Tile;
 import jrtr.VertexData.BoundingSphere;
 import jrtr.gl.FloatTarget;
@@ -19,11 +23,13 @@ import jrtr.scene.GraphSceneManager;
 import jrtr.scene.Material;
 import jrtr.scene.RenderPass;
 import jrtr.scene.Shape;
+import jrtr.scene.TransformGroup;
 import jrtr.scene.View;
 import org.joml.Vector3f;
 import sunbeam.app.gpu.Shaders;
+import sunbeam.app.render.GeometryBuffer.Layout;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
-import sunbeam.app.render.SceneLoader.SceneShape;
+import sunbeam.app.render.SceneShape.Thing;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.SceneSettings;
@@ -36,32 +42,26 @@ import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;
 import sunbeam.precompute.optics.Direction;
 
-/** A scene in graphics memory: mesh, textures, and the method with its tables. */
+/** A scene without its diffraction in graphics memory: meshes, textures, and what is drawn of them. A scene's sessions share it. */
 final class UploadedScene implements AutoCloseable {
     private final RenderContext context;
     private final LightTexture lights;
-    private SceneData data;
-    private UploadedMesh mesh;
-    private SkinTextures body;
-    private SkinSurface skin;
+    private final Picking picking;
+    private final Map<Layout, GeometryBuffer.Cache> buffers = new EnumMap<>(Layout.class);
+    private List<Integer> looks = List.of();
+    private Meshes meshes;
+    private List<SkinTextures> bodies = List.of();
 
-    /** Has no scene until {@link #upload} or {@link #update}. */
+    /** Has no scene until {@link #upload}. */
     UploadedScene(RenderContext context) {
         this.context = context;
         this.lights = new LightTexture(context);
+        this.picking = Resource.orClose(() -> Picking.in(context), lights::close);
     }
 
-    SceneData data() {
-        return data;
-    }
-
-    /** Returns the ground if the blend shows the body's own color, not diffraction alone. */
+    /** Returns the ground if the scene's current look draws it: the blend shows the body's own color, not diffraction alone. */
     Optional<Ground> ground(Scene scene) {
-        return scene.ground().isPresent() && scene.hasBody() ? mesh.ground() : Optional.empty();
-    }
-
-    SkinSurface skin() {
-        return skin;
+        return scene.drawsGround() ? meshes.ground() : Optional.empty();
     }
 
     /** Geometry of a scene with the uploaded meshes. */
@@ -78,81 +78,131 @@ final class UploadedScene implements AutoCloseable {
     }
 
     private GraphSceneManager graph(Scene scene) {
-        Shape shape = new Shape(
-                mesh.buffer(), mesh.mesh().closed(), body.material().turned(scene.get(SceneSettings.ROTATE_PATCH)));
-        return SceneGraph.of(scene, mesh.buffer().bounds().center(), List.of(shape));
+        List<TransformGroup> model = new ArrayList<>();
+        for (int i = 0; i < bodies.size(); i++) {
+            Thing thing = meshes.shape.things().get(i);
+            double rotation = scene.objects().get(i).settings().get(SceneSettings.ROTATE_PATCH);
+            Material material = bodies.get(i)
+                    .material()
+                    .turned(rotation)
+                    .with("firstPatch", SceneData.patchNumber(looks.get(i), 0))
+                    .with("objectNumber", i);
+            model.add(new TransformGroup(
+                    thing.toModel(),
+                    new Shape(meshes.buffers.get(i), thing.mesh().closed(), material)));
+        }
+        return SceneGraph.of(scene, meshes.bounds.center(), model);
     }
 
     private static Viewpoint viewpoint(Scene scene, GraphSceneManager graph) {
         return new Viewpoint(graph.camera().orElseThrow(), scene.view().verticalFieldOfView());
     }
 
-    /** Uploads a scene without its diffraction, for moving pictures of the body. */
-    void upload(Scene scene, SceneShape shape) {
-        replace(scene, shape, shape.bodies().get(0), () -> new SkinSurface(context, Optional.empty()));
+    /** Returns a block's geometry; valid until the next call. */
+    GeometryBuffer drawn(Layout layout, SkinGeometry geometry, Tile block) {
+        return buffers.computeIfAbsent(layout, absent -> new GeometryBuffer.Cache(context, layout))
+                .of(geometry, block);
     }
 
-    void update(SceneData next) {
-        boolean sharesMethod = data != null && next.sharesMethod(data);
-        Supplier<SkinSurface> surface = () -> sharesMethod ? skin : new SkinSurface(context, Optional.of(next));
-        replace(next.scene(), next.shape(), next.body(), surface);
-        data = next;
+    /** See {@link SceneSession#pick}. */
+    Optional<Pick> pick(Scene scene, View.Area pixel) {
+        return picking.pick(this, scene, pixel);
     }
 
     /** Uploads what differs; a failure leaves the old scene. */
     @SuppressWarnings("ReferenceEquality") // comparing triangles and texels would take as long as uploading them
-    private void replace(Scene scene, SceneShape shape, Body wanted, Supplier<SkinSurface> surface) {
-        boolean keepsMesh =
-                mesh != null && mesh.mesh() == shape.mesh() && (mesh.ground().isPresent() || !scene.occludesSky());
-        UploadedMesh nextMesh = keepsMesh ? mesh : UploadedMesh.upload(context, scene, shape);
-        Runnable closeMesh = () -> closeUnlessSame(nextMesh, mesh, UploadedMesh::close);
-        SkinTextures nextBody = Resource.orClose(
-                () -> body != null && body.body == wanted ? body : new SkinTextures(context, wanted), closeMesh);
-        SkinSurface nextSkin =
-                Resource.orClose(surface, closeMesh, () -> closeUnlessSame(nextBody, body, SkinTextures::close));
-        closeUnlessSame(mesh, nextMesh, UploadedMesh::close);
-        closeUnlessSame(body, nextBody, SkinTextures::close);
-        closeUnlessSame(skin, nextSkin, SkinSurface::close);
-        mesh = nextMesh;
-        body = nextBody;
-        skin = nextSkin;
+    void upload(Scene scene, SceneShape shape) {
+        boolean keepsMeshes = meshes != null
+                && meshes.shape.whole() == shape.whole()
+                && (meshes.ground().isPresent() || !scene.occludesSky());
+        Meshes nextMeshes = keepsMeshes ? meshes.with(shape) : Meshes.upload(context, scene, shape);
+        IdentityHashMap<Body, SkinTextures> all = new IdentityHashMap<>();
+        bodies.forEach(body -> all.put(body.body, body));
+        Set<SkinTextures> made = new HashSet<>();
+        List<SkinTextures> nextBodies = Resource.orClose(
+                () -> shape.things().stream()
+                        .map(thing -> all.computeIfAbsent(thing.body(), body -> {
+                            SkinTextures textures = new SkinTextures(context, body);
+                            made.add(textures);
+                            return textures;
+                        }))
+                        .toList(),
+                () -> made.forEach(SkinTextures::close),
+                () -> closeUnless(keepsMeshes, nextMeshes));
+        bodies.stream().filter(body -> !nextBodies.contains(body)).forEach(SkinTextures::close);
+        closeUnless(keepsMeshes, meshes);
+        meshes = nextMeshes;
+        bodies = nextBodies;
+        looks = scene.looks();
     }
 
-    private static <T> void closeUnlessSame(T part, T other, Consumer<T> closing) {
-        if (part != null && part != other) {
-            closing.accept(part);
+    private static void closeUnless(boolean isKept, Meshes meshes) {
+        if (!isKept && meshes != null) {
+            meshes.close();
         }
     }
 
     @Override
     public void close() {
-        closeUnlessSame(skin, null, SkinSurface::close);
-        closeUnlessSame(body, null, SkinTextures::close);
-        closeUnlessSame(mesh, null, UploadedMesh::close);
+        buffers.values().forEach(GeometryBuffer.Cache::close);
+        bodies.forEach(SkinTextures::close);
+        closeUnless(false, meshes);
+        picking.close();
         lights.close();
     }
 
-    /** @param ground ground below the mesh; present if the mesh has the visible share of the sky per vertex */
-    private record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) implements AutoCloseable {
+    /**
+     * Meshes of a scene.
+     *
+     * @param buffers one for each object; equal meshes share one unless they have the visible share of the sky per vertex
+     * @param bounds sphere around the model, model space
+     * @param ground ground below the model; present if the meshes have the visible share of the sky per vertex
+     */
+    private record Meshes(SceneShape shape, List<VertexBuffer> buffers, BoundingSphere bounds, Optional<Ground> ground)
+            implements AutoCloseable {
 
         /** May wait for the visible share of the sky. */
-        static UploadedMesh upload(RenderContext context, Scene scene, SceneShape shape) {
-            Mesh mesh = shape.mesh();
-            if (!scene.occludesSky()) {
-                return new UploadedMesh(
-                        mesh, context.createVertexBuffer("mesh", mesh.toVertexData()), Optional.empty());
+        static Meshes upload(RenderContext context, Scene scene, SceneShape shape) {
+            List<VertexBuffer> buffers = new ArrayList<>();
+            try {
+                return scene.occludesSky() ? underSky(context, shape, buffers) : withoutSky(context, shape, buffers);
+            } catch (RuntimeException | Error failure) {
+                buffers.forEach(VertexBuffer::close);
+                throw failure;
             }
+        }
+
+        private static Meshes withoutSky(RenderContext context, SceneShape shape, List<VertexBuffer> buffers) {
+            IdentityHashMap<Mesh, VertexBuffer> shared = new IdentityHashMap<>();
+            for (Thing thing : shape.things()) {
+                buffers.add(shared.computeIfAbsent(
+                        thing.mesh(), mesh -> context.createVertexBuffer("mesh", mesh.toVertexData())));
+            }
+            return new Meshes(shape, List.copyOf(buffers), shape.bounds(), Optional.empty());
+        }
+
+        private static Meshes underSky(RenderContext context, SceneShape shape, List<VertexBuffer> buffers) {
             SkyVisibility seen = shape.sky().get();
-            VertexBuffer buffer = context.createVertexBuffer("mesh", mesh.toVertexData(seen.ofVertices()));
-            Ground ground =
-                    Resource.orClose(() -> new Ground(context, SkyVisibility.ground(mesh), seen), buffer::close);
-            return new UploadedMesh(mesh, buffer, Optional.of(ground));
+            int first = 0;
+            for (Thing thing : shape.things()) {
+                int next = first + thing.mesh().vertices();
+                float[] sky = Arrays.copyOfRange(seen.ofVertices(), first, next);
+                buffers.add(context.createVertexBuffer("mesh", thing.mesh().toVertexData(sky)));
+                first = next;
+            }
+            double height = SkyVisibility.ground(shape.whole());
+            Ground ground = new Ground(context, shape.bounds(), height, seen);
+            return new Meshes(shape, List.copyOf(buffers), shape.bounds(), Optional.of(ground));
+        }
+
+        Meshes with(SceneShape other) {
+            return new Meshes(other, buffers, bounds, ground);
         }
 
         @Override
         public void close() {
             ground.ifPresent(Ground::close);
-            buffer.close();
+            buffers.forEach(VertexBuffer::close);
         }
     }
 
@@ -192,8 +242,7 @@ final class UploadedScene implements AutoCloseable {
                             "reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG),
                             "reliefBegin", (float) (hasScales ? ScaleRelief.BEGIN : 0),
                             "reliefSteepest", (float) (hasScales ? ScaleRelief.STEEPEST : 0),
-                            "reliefLightest", (float) ScaleRelief.LIGHTEST,
-                            "patchColor", (float) body.patchColor()));
+                            "reliefLightest", (float) ScaleRelief.LIGHTEST));
         }
 
         @Override
@@ -214,22 +263,24 @@ final class UploadedScene implements AutoCloseable {
 
         Optional<Pick> pick(UploadedScene uploaded, Scene scene, View.Area pixel) {
             GraphSceneManager graph = uploaded.graph(scene);
-            BoundingSphere bounds = graph.bounds().orElseThrow();
             SkinSurface.setLights(program, scene);
-            View view = SkinGeometry.view(viewpoint(scene, graph), bounds);
+            View view =
+                    SkinGeometry.view(viewpoint(scene, graph), graph.bounds().orElseThrow());
             new RenderPass(context, program, Map.of(), false)
                     .draw(graph.items(), view, pixel, target, Tile.whole(1, 1));
             float[] point = target.read(0);
             if (point[3] == 0) {
                 return Optional.empty();
             }
+            float[] tangent = target.read(1);
             float[] wi = target.read(4);
             float[] wr = target.read(5);
             return Optional.of(new Pick(
                     new Vector3f(point),
-                    scene.patches().region((int) point[3] - 1),
-                    bounds.center(),
-                    new Vector3f(target.read(1)),
+                    (int) tangent[3],
+                    (int) point[3] - 1,
+                    uploaded.meshes.bounds.center(),
+                    new Vector3f(tangent),
                     new Vector3f(target.read(2)),
                     new Vector3f(target.read(3)),
                     new Direction(wi[0], wi[1], wi[2]),

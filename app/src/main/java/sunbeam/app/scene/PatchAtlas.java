@@ -3,8 +3,6 @@ package sunbeam.app.scene;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.TreeSet;
-import java.util.stream.Collectors;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 
@@ -46,11 +44,8 @@ public record PatchAtlas(String map, List<Region> regions) {
         return map.equals(Body.NONE);
     }
 
-    public Set<Integer> colors() {
-        return regions.stream().map(region -> region.color().rgb()).collect(Collectors.toCollection(TreeSet::new));
-    }
-
-    public int region(int rgb) {
-        return regions.stream().map(region -> region.color().rgb()).toList().indexOf(rgb);
+    /** Returns the regions' colors in the map, 0xRRGGBB, in order. */
+    public List<Integer> colors() {
+        return regions.stream().map(region -> region.color().rgb()).toList();
     }
 }

@@ -1,15 +1,20 @@
 package sunbeam.app.scene;
 
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import jrtr.scene.Light;
 import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
+import sunbeam.app.scene.SceneObject.Placement;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
-import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.scene.texture.BodyTexture;
@@ -23,11 +28,13 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * All that determines a picture except its size. File names are absolute.
+ * All that determines a picture except its size. File names are absolute. Settings and patches are those of the current object.
  *
  * @param settings values or defaults of all {@link SceneSettings} except those of patch, view and light
- * @param orientation rotation of the mesh about the center of its bounding sphere; unit length
+ * @param orientation rotation of all objects about the center of the sphere around them; unit length
  * @param fillLights further lights, which cast no shadows; at most {@link #MOST_FILL_LIGHTS}
+ * @param objects all objects, the current one too; 1 to {@link SceneObject#MOST}
+ * @param current index of the current object
  */
 public record Scene(
         Choices settings,
@@ -36,24 +43,91 @@ public record Scene(
         Quaternionfc orientation,
         SceneLight light,
         List<SceneLight> fillLights,
-        SceneMethod method) {
+        SceneMethod method,
+        List<SceneObject> objects,
+        int current) {
     /** The shaders' limit of lights, less the key light. */
     public static final int MOST_FILL_LIGHTS = Light.MOST - 1;
 
-    private static final Choices STANDARD = standard();
+    private static final Choices STANDARD = SceneSettings.standards(SceneSettings.OF_RECORD);
 
     public Scene {
         orientation = new Quaternionf(orientation);
         fillLights = List.copyOf(fillLights);
         settings = settings.only(SceneSettings.OF_RECORD).over(STANDARD);
+        var object = new SceneObject(
+                settings.only(SceneSettings.OF_OBJECT),
+                patches,
+                objects.get(current).placement());
+        if (!object.equals(objects.get(current))) {
+            objects = new ArrayList<>(objects);
+            objects.set(current, object);
+        }
+        objects = List.copyOf(objects);
     }
 
-    private static Choices standard() {
-        Choices standard = Choices.none();
-        for (Setting<?> setting : SceneSettings.OF_RECORD) {
-            standard = standard.orStandard(setting);
+    /** A scene of one object, with its mesh where the mesh's file has it. */
+    public Scene(
+            Choices settings,
+            PatchAtlas patches,
+            Viewpoint view,
+            Quaternionfc orientation,
+            SceneLight light,
+            List<SceneLight> fillLights,
+            SceneMethod method) {
+        this(settings, patches, view, orientation, light, fillLights, method, List.of(one(patches)), 0);
+    }
+
+    private static SceneObject one(PatchAtlas patches) {
+        return new SceneObject(Choices.none(), patches, Placement.NONE);
+    }
+
+    /** Returns the scene with another list of objects, of which the first is the current one. */
+    public Scene withObjects(List<SceneObject> value) {
+        SceneObject first = value.get(0);
+        Choices own = first.settings().over(settings.without(SceneSettings.OF_OBJECT));
+        return new Scene(own, first.patches(), view, orientation, light, fillLights, method, value, 0);
+    }
+
+    /** Returns the scene with another current object. */
+    public Scene at(int index) {
+        if (index == current) {
+            return this;
         }
-        return standard;
+        SceneObject other = objects.get(index);
+        Choices own = other.settings().over(settings.without(SceneSettings.OF_OBJECT));
+        return new Scene(own, other.patches(), view, orientation, light, fillLights, method, objects, index);
+    }
+
+    /** Applies a change of the current object to each object. */
+    public Scene each(UnaryOperator<Scene> change) {
+        Scene changed = this;
+        for (int i = 0; i < objects.size(); i++) {
+            changed = change.apply(changed.at(i));
+        }
+        return changed.at(current);
+    }
+
+    /** Returns the scene once for each object, which is its current one. */
+    public List<Scene> perObject() {
+        return IntStream.range(0, objects.size()).mapToObj(this::at).toList();
+    }
+
+    /** Returns for each object the index of the first one that looks like it. */
+    public List<Integer> looks() {
+        Map<List<Object>, Integer> first = new HashMap<>();
+        List<Integer> looks = new ArrayList<>();
+        for (SceneObject object : objects) {
+            looks.add(first.computeIfAbsent(object.look(), look -> looks.size()));
+        }
+        return looks;
+    }
+
+    /** True if the ground is drawn with the current object's look: it has the first body of all. */
+    public boolean drawsGround() {
+        return ground().isPresent()
+                && hasBody()
+                && objects.subList(0, current).stream().noneMatch(object -> hasBody(object.settings()));
     }
 
     /** Returns this scene with values of {@link SceneSettings} and {@link Methods#SETTINGS} in place of its own. */
@@ -63,11 +137,13 @@ public record Scene(
         double diameter = chosen.get(SceneSettings.ANGULAR_DIAMETER, light.angularDiameter());
         SceneLight newLight = new SceneLight(light.towards(), intensity, diameter);
         SceneMethod newMethod = method.with(chosen.only(Methods.SETTINGS));
-        return new Scene(chosen.over(inherited), patches, view, orientation, newLight, fillLights, newMethod);
+        return new Scene(
+                chosen.over(inherited), patches, view, orientation, newLight, fillLights, newMethod, objects, current);
     }
 
     public <T> Scene with(Setting<T> setting, T value) {
-        return new Scene(settings.with(setting, value), patches, view, orientation, light, fillLights, method);
+        return new Scene(
+                settings.with(setting, value), patches, view, orientation, light, fillLights, method, objects, current);
     }
 
     public Choices choices() {
@@ -98,17 +174,19 @@ public record Scene(
         return withPatches(PatchAtlas.of(value));
     }
 
-    /** Returns the built-in or absolute names of texture, maps and patches. */
+    /** Returns the built-in or absolute names of textures, maps and patches. */
     public List<String> files() {
+        return perObject().stream().flatMap(Scene::filesOfObject).toList();
+    }
+
+    private Stream<String> filesOfObject() {
         Stream<String> own = Stream.of(get(SceneSettings.TEXTURE), get(SceneSettings.ORIENTATION_MAP), patches.map());
         return Stream.concat(
-                        own,
-                        patches.regions().stream().map(region -> region.patch().patch()))
-                .toList();
+                own, patches.regions().stream().map(region -> region.patch().patch()));
     }
 
     public Scene withPatches(PatchAtlas value) {
-        return new Scene(settings, value, view, orientation, light, fillLights, method);
+        return new Scene(settings, value, view, orientation, light, fillLights, method, objects, current);
     }
 
     /** Returns this scene with a user's patch, and a dark body for an animal's. */
@@ -120,19 +198,19 @@ public record Scene(
     }
 
     public Scene withView(Viewpoint value) {
-        return new Scene(settings, patches, value, orientation, light, fillLights, method);
+        return new Scene(settings, patches, value, orientation, light, fillLights, method, objects, current);
     }
 
     public Scene withOrientation(Quaternionfc value) {
-        return new Scene(settings, patches, view, value, light, fillLights, method);
+        return new Scene(settings, patches, view, value, light, fillLights, method, objects, current);
     }
 
     public Scene withLight(SceneLight value) {
-        return new Scene(settings, patches, view, orientation, value, fillLights, method);
+        return new Scene(settings, patches, view, orientation, value, fillLights, method, objects, current);
     }
 
     public Scene withFillLights(List<SceneLight> value) {
-        return new Scene(settings, patches, view, orientation, light, value, method);
+        return new Scene(settings, patches, view, orientation, light, value, method, objects, current);
     }
 
     /** Returns all lights, the key light first. */
@@ -146,7 +224,7 @@ public record Scene(
     }
 
     public Scene withMethod(SceneMethod value) {
-        return new Scene(settings, patches, view, orientation, light, fillLights, value);
+        return new Scene(settings, patches, view, orientation, light, fillLights, value, objects, current);
     }
 
     public Choices weights() {
@@ -154,8 +232,12 @@ public record Scene(
     }
 
     public boolean hasBody() {
-        return get(SceneSettings.TEXTURE_WEIGHT) > 0
-                && (get(SceneSettings.DIFFUSE) > 0 || get(SceneSettings.AMBIENT) > 0);
+        return hasBody(settings);
+    }
+
+    private static boolean hasBody(Choices settings) {
+        return settings.get(SceneSettings.TEXTURE_WEIGHT) > 0
+                && (settings.get(SceneSettings.DIFFUSE) > 0 || settings.get(SceneSettings.AMBIENT) > 0);
     }
 
     public Scene withoutBody() {
@@ -164,35 +246,8 @@ public record Scene(
                 .with(SceneSettings.AMBIENT, 0.0);
     }
 
-    /** True if another scene needs no other meshes, textures or tables. */
-    public boolean sharesParts(Scene other) {
-        return mesh().equals(other.mesh())
-                && patches.equals(other.patches)
-                && sharesBody(other)
-                && method.method().equals(other.method.method())
-                && tabulatedSlopes() == other.tabulatedSlopes()
-                && sharesReflectance(other);
-    }
-
-    /** True if tables of both have the same factors: constant indices differ only in the divisor of conserved energy. */
-    public boolean sharesReflectance(Scene other) {
-        SkinIndex index = get(SceneSettings.INDEX);
-        SkinIndex otherIndex = other.get(SceneSettings.INDEX);
-        boolean areConstant = !index.isByWavelength() && !otherIndex.isByWavelength();
-        return effectiveEnergy() == other.effectiveEnergy()
-                && (index.equals(otherIndex) || (effectiveEnergy() == Energy.SCALAR && areConstant));
-    }
-
-    public boolean sharesBody(Scene other) {
-        return get(SceneSettings.TEXTURE).equals(other.get(SceneSettings.TEXTURE))
-                && effectiveScales() == other.effectiveScales()
-                && get(SceneSettings.ORIENTATION_MAP).equals(other.get(SceneSettings.ORIENTATION_MAP));
-    }
-
-    public Scene withPartsOf(Scene other) {
-        Choices parts = other.settings.only(SceneSettings.PARTS);
-        Choices shared = sharesReflectance(other) ? parts.without(SceneSettings.INDEX) : parts;
-        return new Scene(shared.over(settings), other.patches, view, orientation, light, fillLights, other.method);
+    public Placement placement() {
+        return objects.get(current).placement();
     }
 
     /** Only the built-in snake has any. */

@@ -14,6 +14,7 @@ import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.precompute.color.DisplayTransform.Primaries;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
@@ -188,6 +189,7 @@ public final class SceneSettings {
 
     static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT, BODY_ALPHA);
 
+    /** Keys of the root, in the order in which they are written. */
     static final List<Setting<?>> OF_ROOT = List.of(
             TITLE,
             MESH,
@@ -207,6 +209,19 @@ public final class SceneSettings {
             SHADOWS,
             BACKGROUND);
 
+    /** Settings, beside the weights, that each of several objects has. */
+    static final List<Setting<?>> KEYS_OF_OBJECT =
+            List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ROTATE_PATCH, ORIENTATION_MAP, ROUGHNESS, INDEX, ENERGY);
+
+    static final List<Setting<?>> OF_ROOT_ALONE = OF_ROOT.stream()
+            .filter(setting -> !KEYS_OF_OBJECT.contains(setting))
+            .toList();
+
+    static final List<Setting<?>> OF_OBJECT = Setting.union(KEYS_OF_OBJECT, WEIGHTS);
+
+    /** Settings of the shading pass: objects with equal ones, and equal patches, are shaded together. */
+    static final List<Setting<?>> OF_LOOK = Setting.union(List.of(ROUGHNESS, INDEX, ENERGY), WEIGHTS);
+
     static final List<Setting<?>> OF_SCENE =
             Stream.concat(OF_ROOT.stream(), WEIGHTS.stream()).toList();
 
@@ -222,6 +237,14 @@ public final class SceneSettings {
             .toList();
 
     private SceneSettings() {}
+
+    static Choices standards(List<Setting<?>> settings) {
+        Choices standard = Choices.none();
+        for (Setting<?> setting : settings) {
+            standard = standard.orStandard(setting);
+        }
+        return standard;
+    }
 
     private static Setting<Double> weight(String name, String help, double standard) {
         return new Setting<>(name + "Weight", ValueKind.number("W", 0, LARGEST_WEIGHT), help)

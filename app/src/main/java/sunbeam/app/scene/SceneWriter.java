@@ -18,6 +18,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Scene.Viewpoint;
+import sunbeam.app.scene.SceneObject.Placement;
 import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
@@ -87,36 +88,13 @@ public final class SceneWriter {
 
     private void write(Scene scene, Choices plan) throws IOException {
         json.writeStartObject();
-        Choices own = scene.settings();
-        for (Setting<String> name : List.of(SceneSettings.MESH, SceneSettings.TEXTURE, SceneSettings.ORIENTATION_MAP)) {
-            own = own.with(name, toWrittenName.apply(own.get(name)));
-        }
-        SkinIndex index = scene.get(SceneSettings.INDEX);
-        own = index.isByWavelength()
-                ? own.with(SceneSettings.INDEX, SkinIndex.of(toWrittenName.apply(index.file())))
-                : own;
-        for (Setting<?> setting : SceneSettings.OF_ROOT) {
-            if (!OMITTED_IF_STANDARD.contains(setting) || !own.find(setting).equals(setting.standard())) {
-                JsonObject.write(json, own.only(List.of(setting)));
-            }
-        }
-        PatchAtlas patches = scene.patches();
-        if (patches.isOne()) {
-            patch("patch", scene.patch());
-        } else {
-            json.writeObjectFieldStart("patch");
-            JsonObject.write(json, Choices.none().with(SceneSettings.PATCH_MAP, toWrittenName.apply(patches.map())));
-            for (PatchAtlas.Region region : patches.regions()) {
-                patch(region.color().toString(), region.patch());
-            }
-            json.writeEndObject();
+        boolean isOne = scene.objects().size() == 1 && scene.placement().equals(Placement.NONE);
+        settings(scene, isOne ? SceneSettings.OF_ROOT : SceneSettings.OF_ROOT_ALONE);
+        if (isOne) {
+            patches(scene.patches());
         }
         camera(scene.view());
-        if (!scene.orientation().equals(new Quaternionf())) {
-            Quaternionfc turn = scene.orientation();
-            json.writeFieldName("orientation");
-            json.writeArray(new double[] {turn.x(), turn.y(), turn.z(), turn.w()}, 0, 4);
-        }
+        orientation(scene.orientation());
         json.writeFieldName("light");
         light(scene.light());
         if (!scene.fillLights().isEmpty()) {
@@ -127,8 +105,69 @@ public final class SceneWriter {
             json.writeEndArray();
         }
         object("plan", plan.has(ILLUMINANT) ? plan.with(ILLUMINANT, toWrittenName.apply(plan.get(ILLUMINANT))) : plan);
+        if (isOne) {
+            object("weights", scene.weights());
+        } else {
+            json.writeArrayFieldStart("objects");
+            for (Scene one : scene.perObject()) {
+                thing(one);
+            }
+            json.writeEndArray();
+        }
+        json.writeEndObject();
+    }
+
+    /** Writes the current object of a scene. */
+    private void thing(Scene scene) throws IOException {
+        json.writeStartObject();
+        settings(scene, SceneSettings.KEYS_OF_OBJECT);
+        patches(scene.patches());
+        Placement placement = scene.placement();
+        if (!placement.position().equals(0, 0, 0)) {
+            place("position", placement.position());
+        }
+        orientation(placement.orientation());
+        if (placement.size().isPresent()) {
+            json.writeStringField("size", placement.size().getAsDouble() + " m");
+        }
         object("weights", scene.weights());
         json.writeEndObject();
+    }
+
+    private void settings(Scene scene, List<Setting<?>> settings) throws IOException {
+        Choices own = scene.settings();
+        for (Setting<String> name : List.of(SceneSettings.MESH, SceneSettings.TEXTURE, SceneSettings.ORIENTATION_MAP)) {
+            own = own.with(name, toWrittenName.apply(own.get(name)));
+        }
+        SkinIndex index = scene.get(SceneSettings.INDEX);
+        own = index.isByWavelength()
+                ? own.with(SceneSettings.INDEX, SkinIndex.of(toWrittenName.apply(index.file())))
+                : own;
+        for (Setting<?> setting : settings) {
+            if (!OMITTED_IF_STANDARD.contains(setting) || !own.find(setting).equals(setting.standard())) {
+                JsonObject.write(json, own.only(List.of(setting)));
+            }
+        }
+    }
+
+    private void patches(PatchAtlas patches) throws IOException {
+        if (patches.isOne()) {
+            patch("patch", patches.regions().get(0).patch());
+            return;
+        }
+        json.writeObjectFieldStart("patch");
+        JsonObject.write(json, Choices.none().with(SceneSettings.PATCH_MAP, toWrittenName.apply(patches.map())));
+        for (PatchAtlas.Region region : patches.regions()) {
+            patch(region.color().toString(), region.patch());
+        }
+        json.writeEndObject();
+    }
+
+    private void orientation(Quaternionfc turn) throws IOException {
+        if (!turn.equals(new Quaternionf())) {
+            json.writeFieldName("orientation");
+            json.writeArray(new double[] {turn.x(), turn.y(), turn.z(), turn.w()}, 0, 4);
+        }
     }
 
     private void light(SceneLight light) throws IOException {

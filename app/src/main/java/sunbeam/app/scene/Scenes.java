@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import java.util.function.UnaryOperator;
 import jrtr.scene.View.Camera;
@@ -21,6 +22,7 @@ import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import sunbeam.app.scene.Scene.Viewpoint;
+import sunbeam.app.scene.SceneObject.Placement;
 import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.Body;
@@ -47,6 +49,8 @@ public final class Scenes {
 
     // Meters; also of a component of a direction.
     private static final double LARGEST_NUMBER = 1e6;
+    // Meters.
+    private static final double SMALLEST_SIZE = 1e-9;
 
     private final JsonObject root;
     // Built-in scenes name no files, others those in their folder and below.
@@ -115,49 +119,111 @@ public final class Scenes {
     }
 
     private Scene scene() {
-        root.required(SceneSettings.MESH.fileKey(), "\"snake\"");
-        root.required(SceneSettings.TEXTURE.fileKey(), "\"elaphe\"");
-        Choices own = root.choices(SceneSettings.OF_ROOT);
-        own = resolve(own, SceneSettings.MESH, BuiltInMeshes.names());
-        own = resolve(own, SceneSettings.TEXTURE, BodyTexture.names());
-        own = resolve(own, SceneSettings.ORIENTATION_MAP, List.of(Body.NONE));
-        if (own.get(SceneSettings.INDEX).isByWavelength()) {
-            own = resolve(own, SceneSettings.INDEX, index -> SkinIndex.of(resolve(index.file(), List.of())));
-        }
+        Choices own = choices(root, SceneSettings.OF_ROOT);
         Optional<JsonObject> plan = root.findObject("plan");
         Choices methodChoices = plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none());
         methodChoices =
                 methodChoices.has(ILLUMINANT) ? resolve(methodChoices, ILLUMINANT, Illuminant.NAMES) : methodChoices;
-        JsonObject weights = root.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }");
+        Viewpoint view = view(root.object("camera", "{ \"position\": ... }"));
+        boolean hasObjects = root.has("objects");
+        List<JsonObject> keys = hasObjects ? root.objects("objects", SceneObject.MOST) : List.of(root);
+        if (keys.isEmpty()) {
+            throw root.complaint("objects", "is empty; give 1 to " + SceneObject.MOST + " objects, or leave it out");
+        }
+        List<SceneObject> objects =
+                keys.stream().map(object -> object(object, hasObjects)).toList();
         Scene scene = new Scene(
-                own.over(weights.choices(SceneSettings.WEIGHTS)),
-                patches(),
-                view(root.object("camera", "{ \"position\": ... }")),
-                orientation(),
-                light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
-                root.objects("fillLights", Scene.MOST_FILL_LIGHTS).stream()
-                        .map(Scenes::light)
-                        .toList(),
-                new SceneMethod(methodChoices));
+                        own,
+                        objects.get(0).patches(),
+                        view,
+                        orientation(root),
+                        light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
+                        root.objects("fillLights", Scene.MOST_FILL_LIGHTS).stream()
+                                .map(Scenes::light)
+                                .toList(),
+                        new SceneMethod(methodChoices))
+                .withObjects(objects);
         plan.ifPresent(JsonObject::requireNoOthers);
-        weights.requireNoOthers();
         root.requireNoOthers();
         return scene;
     }
 
-    private PatchAtlas patches() {
-        JsonNode value = root.required("patch", "\"elaphe-like\"");
-        if (!value.isObject() || !value.has(SceneSettings.PATCH_MAP.fileKey())) {
-            return PatchAtlas.of(patch(root, "patch"));
+    /** Reads settings, with absolute names of files. */
+    private Choices choices(JsonObject object, List<Setting<?>> settings) {
+        Choices own = object.choices(settings);
+        own = resolve(own, SceneSettings.MESH, BuiltInMeshes.names());
+        own = resolve(own, SceneSettings.TEXTURE, BodyTexture.names());
+        own = resolve(own, SceneSettings.ORIENTATION_MAP, List.of(Body.NONE));
+        return own.has(SceneSettings.INDEX) && own.get(SceneSettings.INDEX).isByWavelength()
+                ? resolve(own, SceneSettings.INDEX, index -> SkinIndex.of(resolve(index.file(), List.of())))
+                : own;
+    }
+
+    /** Reads an object, which is the root or one of its list. An object of the list inherits missing keys from the root. */
+    private SceneObject object(JsonObject keys, boolean isOfList) {
+        Choices own =
+                choices(keys, SceneSettings.KEYS_OF_OBJECT).over(weights(keys, !isOfList || !root.has("weights")));
+        Placement placement = Placement.NONE;
+        if (isOfList) {
+            Choices common = choices(root, SceneSettings.KEYS_OF_OBJECT);
+            common = own.has(SceneSettings.MESH) ? common.without(SceneSettings.MESH_UNIT) : common;
+            own = own.over(common.over(root.has("weights") ? weights(root, true) : Choices.none()));
+            placement = placement(keys);
         }
-        JsonObject keys = root.object("patch", "");
+        holder(keys, SceneSettings.MESH.fileKey()).required(SceneSettings.MESH.fileKey(), "\"snake\"");
+        holder(keys, SceneSettings.TEXTURE.fileKey()).required(SceneSettings.TEXTURE.fileKey(), "\"elaphe\"");
+        PatchAtlas patches = patches(holder(keys, "patch"));
+        if (isOfList) {
+            keys.requireNoOthers();
+        }
+        return new SceneObject(own, patches, placement);
+    }
+
+    /** Returns the root if an object of its list leaves a key to it. */
+    private JsonObject holder(JsonObject object, String key) {
+        return !object.has(key) && root.has(key) ? root : object;
+    }
+
+    private static Choices weights(JsonObject object, boolean isRequired) {
+        if (!isRequired && !object.has("weights")) {
+            return Choices.none();
+        }
+        JsonObject weights = object.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }");
+        Choices choices = weights.choices(SceneSettings.WEIGHTS);
+        weights.requireNoOthers();
+        return choices;
+    }
+
+    private static Placement placement(JsonObject object) {
+        Vector3f position = object.has("position") ? place(object, "position") : new Vector3f();
+        OptionalDouble size = OptionalDouble.empty();
+        if (object.has("size")) {
+            size = OptionalDouble.of(object.quantity("size", object.required("size", ""), Scenes::size));
+        }
+        return new Placement(position, orientation(object), size);
+    }
+
+    private static double size(String text) {
+        double meters = coordinate(text);
+        if (!(meters >= SMALLEST_SIZE)) {
+            throw new IllegalArgumentException(Text.quoted(text) + " is out of range; give 1 nm to 1000 km");
+        }
+        return meters;
+    }
+
+    private PatchAtlas patches(JsonObject object) {
+        JsonNode value = object.required("patch", "\"elaphe-like\"");
+        if (!value.isObject() || !value.has(SceneSettings.PATCH_MAP.fileKey())) {
+            return PatchAtlas.of(patch(object, "patch"));
+        }
+        JsonObject keys = object.object("patch", "");
         String map = resolve(keys.choices(List.of(SceneSettings.PATCH_MAP)), SceneSettings.PATCH_MAP, List.of())
                 .get(SceneSettings.PATCH_MAP);
         List<PatchAtlas.Region> regions = new ArrayList<>();
         for (String key : keys.others()) {
             regions.add(new PatchAtlas.Region(keys.checked(key, () -> SceneColor.parse(key)), patch(keys, key)));
         }
-        return root.checked("patch", () -> new PatchAtlas(map, regions));
+        return object.checked("patch", () -> new PatchAtlas(map, regions));
     }
 
     /** A name, or an object with a name or file and further {@link PatchSettings}. */
@@ -219,15 +285,15 @@ public final class Scenes {
         return result;
     }
 
-    private Quaternionfc orientation() {
-        if (!root.has("orientation")) {
+    private static Quaternionfc orientation(JsonObject object) {
+        if (!object.has("orientation")) {
             return new Quaternionf();
         }
-        List<JsonNode> values = root.sequence("orientation", root.required("orientation", "[0, 0, 0, 1]"), 4);
-        float[] q = floats(values, number -> root.number("orientation", number, -1, 1));
+        List<JsonNode> values = object.sequence("orientation", object.required("orientation", "[0, 0, 0, 1]"), 4);
+        float[] q = floats(values, number -> object.number("orientation", number, -1, 1));
         Quaternionf rotation = new Quaternionf(q[0], q[1], q[2], q[3]);
         if (Math.abs(rotation.lengthSquared() - 1) > 1e-3f) {
-            throw root.complaint("orientation", "must be a unit quaternion x, y, z, w, such as [0, 0, 0, 1]");
+            throw object.complaint("orientation", "must be a unit quaternion x, y, z, w, such as [0, 0, 0, 1]");
         }
         return rotation;
     }
@@ -238,6 +304,9 @@ public final class Scenes {
     }
 
     private static <T> Choices resolve(Choices choices, Setting<T> setting, UnaryOperator<T> resolved) {
+        if (!choices.has(setting)) {
+            return choices;
+        }
         try {
             return choices.with(setting, resolved.apply(choices.get(setting)), choices.origin(setting));
         } catch (IllegalArgumentException wrong) {

@@ -119,8 +119,7 @@ public final class FileActions {
     }
 
     private void frameMesh() {
-        BoundingSphere bounds =
-                model.loaded().orElseThrow().firstPart().mesh().toVertexData().bounds();
+        BoundingSphere bounds = model.loaded().orElseThrow().firstPart().shape().bounds();
         model.amend(scene -> Drags.framed(scene, bounds));
     }
 

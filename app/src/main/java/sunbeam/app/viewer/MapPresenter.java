@@ -51,7 +51,9 @@ final class MapPresenter {
             return;
         }
         newest = new MapRequest(
-                towards, picked.map(point -> point.pick().region()).orElse(0));
+                towards,
+                picked.map(point -> point.pick().object()).orElse(scene.current()),
+                picked.map(point -> point.pick().region()).orElse(0));
         view.newest(false);
         view.mark(
                 picked.map(point -> point.pick().wr()),
@@ -82,7 +84,7 @@ final class MapPresenter {
 
     private Optional<Patch> wantedPatch() {
         return viewer.model.loaded().stream()
-                .flatMap(loaded -> loaded.ofRegion(displayed.region()).stream())
+                .flatMap(loaded -> loaded.ofPatch(displayed.object(), displayed.region()).stream())
                 .findFirst()
                 .map(SceneData::patch);
     }

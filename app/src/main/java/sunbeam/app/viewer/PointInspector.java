@@ -73,6 +73,10 @@ public final class PointInspector {
     public void pick(int x, int y, boolean isBeside) {
         locate(x, y, located -> {
             keepFirst(isBeside ? Math.min(1, picks.size()) : 0);
+            // The panel follows the object.
+            located.filter(point -> point.staysIn(viewer.model.scene()))
+                    .ifPresent(point ->
+                            viewer.model.amend(scene -> scene.at(point.pick().object())));
             located.ifPresent(point -> picks.add(new Inspected(point, panel.readouts.get(picks.size()))));
             viewer.presenter.show();
             measure();
@@ -117,7 +121,8 @@ public final class PointInspector {
     }
 
     private static List<Object> spectrumInputs(SkinPoint found, Scene scene) {
-        return List.of(found.pick(), scene.light().towards(), scene.patches(), scene.method());
+        Scene object = scene.at(found.pick().object());
+        return List.of(found.pick(), scene.light().towards(), object.patches(), scene.method());
     }
 
     /** Shows the points' colors in the final picture and requests their spectra for the scene's light. */
@@ -127,7 +132,9 @@ public final class PointInspector {
 
     private void measure(Inspected pick, LoadedScene loaded) {
         SkinPoint measured = pick.point;
-        SceneData data = loaded.ofRegion(measured.pick().region()).get(0);
+        SceneData data = loaded.ofPatch(
+                        measured.pick().object(), measured.pick().region())
+                .get(0);
         Point pixel = measured.pixel(picture.pictureWidth(), picture.pictureHeight());
         picture.color(pixel.x, pixel.y).ifPresent(color -> pick.readout.showColor(color));
         List<Object> inputs = spectrumInputs(measured, data.scene());

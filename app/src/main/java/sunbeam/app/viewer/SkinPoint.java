@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import java.awt.Point;
+import java.io.File;
 import java.util.Optional;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
@@ -8,17 +9,20 @@ import org.joml.Vector3fc;
 import sunbeam.app.render.Pick;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
 
 /** Point of the skin that the user has picked, in a scene of given camera, light and orientation. */
 public record SkinPoint(Scene scene, Pick pick) {
 
-    /** True if another scene has the same mesh, orientation map and patch map, so that the point is valid there. */
+    /** True if another scene has the same mesh, place, orientation map and patch map, so that the point is valid there. */
     public boolean staysIn(Scene other) {
-        return scene.mesh().equals(other.mesh())
-                && scene.get(SceneSettings.ORIENTATION_MAP).equals(other.get(SceneSettings.ORIENTATION_MAP))
-                && scene.patches().map().equals(other.patches().map());
+        return scene.objects().size() == other.objects().size() && SceneSharing.sharesPoints(own(scene), own(other));
+    }
+
+    private Scene own(Scene any) {
+        return any.at(pick.object());
     }
 
     /** Returns the same point of the mesh in a scene with another orientation or camera. */
@@ -27,7 +31,8 @@ public record SkinPoint(Scene scene, Pick pick) {
         Vector3f position = pick.position().sub(pick.center(), new Vector3f());
         turn.transform(position).add(pick.center());
         Vector3f normal = turn.transform(pick.normal(), new Vector3f());
-        double rotation = other.get(SceneSettings.ROTATE_PATCH) - scene.get(SceneSettings.ROTATE_PATCH);
+        double rotation =
+                own(other).get(SceneSettings.ROTATE_PATCH) - own(scene).get(SceneSettings.ROTATE_PATCH);
         Quaternionf whole =
                 new Quaternionf().rotateAxis((float) rotation, normal).mul(turn);
         Vector3f tangent = whole.transform(pick.tangent(), new Vector3f());
@@ -41,6 +46,7 @@ public record SkinPoint(Scene scene, Pick pick) {
                 other,
                 new Pick(
                         position,
+                        pick.object(),
                         pick.region(),
                         pick.center(),
                         tangent,
@@ -81,7 +87,7 @@ public record SkinPoint(Scene scene, Pick pick) {
         Vector3fc place = pick.position();
         return String.join(
                 "\n",
-                Text.format("pixel      (%d, %d)", pixel.x, pixel.y),
+                object() + Text.format("pixel      (%d, %d)", pixel.x, pixel.y),
                 Text.format("position   (%.3g, %.3g, %.3g) m", place.x(), place.y(), place.z()),
                 "tangent    " + vector(pick.tangent()),
                 "bitangent  " + vector(pick.bitangent()),
@@ -89,6 +95,13 @@ public record SkinPoint(Scene scene, Pick pick) {
                 Text.format("light      theta %.1f°, phi %.1f°", theta(wi), phi(wi)),
                 Text.format("viewer     theta %.1f°, phi %.1f°", theta(wr), phi(wr)),
                 Text.format("u, v, w    %.3f, %.3f, %.3f", -wi.x() - wr.x(), -wi.y() - wr.y(), -wi.z() - wr.z()));
+    }
+
+    /** Returns a line that names the object, if there are several. */
+    private String object() {
+        int count = scene.objects().size();
+        String name = new File(own(scene).mesh().name()).getName();
+        return count == 1 ? "" : "object     " + (pick.object() + 1) + " of " + count + ", " + name + "\n";
     }
 
     private static double theta(Direction direction) {

@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.util.OptionalDouble;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.viewer.ControlPanel.ControlOrigin;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
@@ -63,7 +64,8 @@ final class SplitViewPresenter {
 
     private void draw(ViewState shown, Scene scene) {
         if (loaded != null
-                && loaded.firstPart().mesh() == shown.firstPart().mesh()
+                && loaded.firstPart().shape().whole()
+                        == shown.firstPart().shape().whole()
                 && loaded.firstPart().suits(scene)) {
             loaded = loaded.with(scene);
             requested = new ViewState(loaded, shown.width(), shown.height(), true);
@@ -72,7 +74,7 @@ final class SplitViewPresenter {
             return;
         }
         divider.show(null, words(shown), MethodChoice.of(scene) + " is being prepared", false);
-        if (preparing != null && preparing.sharesParts(scene)) {
+        if (preparing != null && SceneSharing.sharesParts(preparing, scene)) {
             return;
         }
         preparing = scene;

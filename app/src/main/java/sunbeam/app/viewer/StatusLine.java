@@ -116,7 +116,10 @@ public final class StatusLine extends JPanel {
     }
 
     void loading(Optional<Scene> shown, Scene newest, double share) {
-        Scene old = shown.orElse(newest);
+        Scene old = shown.filter(
+                        scene -> scene.objects().size() == newest.objects().size())
+                .map(scene -> scene.at(newest.current()))
+                .orElse(newest);
         String name = !old.mesh().equals(newest.mesh())
                 ? new File(newest.mesh().name()).getName()
                 : shown.isEmpty() || !old.patches().equals(newest.patches())

@@ -25,7 +25,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import jrtr.GraphicsException;
 import sunbeam.app.render.SceneLoader;
-import sunbeam.app.render.SceneLoader.SceneShape;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scene.Motion;
 import sunbeam.app.terminal.Environment;

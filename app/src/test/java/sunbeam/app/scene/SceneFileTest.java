@@ -9,7 +9,9 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import javax.imageio.ImageIO;
+import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -79,6 +81,62 @@ class SceneFileTest {
         assertThat(scene.method().get(TOLERANCE)).isEqualTo(0.01);
         assertThat(scene.method().get(AVERAGE)).as("a mesh's default").isEqualTo(Average.ENSEMBLE);
         assertThat(scene.get(SceneSettings.TEXTURE_WEIGHT)).isEqualTo(1);
+    }
+
+    private static String with(String objects) {
+        return SCENE.replace("\"exposure\"", "\"objects\": [" + objects.strip() + "], \"exposure\"");
+    }
+
+    @Test
+    void anObjectHasFromTheSceneWhatItLacks() throws IOException {
+        Scene scene = Scenes.read(write(with("""
+                { "mesh": "disc", "patch": "disc", "position": ["1 cm", "0 m", "2 mm"], "size": "5 cm" },
+                { "orientation": [0, 0, 1, 0], "weights": { "diffraction": 3 }, "rotatePatch": "10 deg" }
+                """)));
+
+        assertThat(scene.objects()).hasSize(2);
+        assertThat(scene.mesh()).isEqualTo(MeshSource.of("disc"));
+        assertThat(scene.get(SceneSettings.DIFFRACTION)).as("the scene's").isEqualTo(20);
+        assertThat(scene.placement().position()).isEqualTo(new Vector3f(0.01f, 0, 0.002f));
+        assertThat(scene.placement().size()).hasValue(0.05);
+        Scene second = scene.at(1);
+        assertThat(second.mesh()).isEqualTo(MeshSource.of("snake"));
+        assertThat(second.patch().patch()).isEqualTo("elaphe-like");
+        assertThat(second.get(SceneSettings.DIFFRACTION)).isEqualTo(3);
+        assertThat(second.get(SceneSettings.ROTATE_PATCH)).isEqualTo(Math.toRadians(10));
+        assertThat(second.placement().orientation().z()).isEqualTo(1);
+        assertThat(second.at(0)).isEqualTo(scene);
+        assertThat(second.get(SceneSettings.EXPOSURE)).isEqualTo(scene.get(SceneSettings.EXPOSURE));
+
+        Path copy = folder.resolve("copy.json");
+        SceneWriter.write(copy, Overwrite.REFUSE, second);
+        assertThat(Scenes.read(copy)).isEqualTo(scene);
+        assertThat(SceneWriter.describe(second)).isEqualTo(SceneWriter.describe(scene));
+    }
+
+    @Test
+    void aChangeOfEachObjectChangesAll() throws IOException {
+        Scene scene = Scenes.read(write(with("{ \"mesh\": \"disc\" }, { \"roughness\": \"1 deg\" }")));
+        Choices rough = Choices.none().with(SceneSettings.ROUGHNESS, 0.05);
+
+        assertThat(scene.each(object -> object.with(rough)).objects())
+                .allMatch(object -> object.settings().get(SceneSettings.ROUGHNESS) == 0.05);
+    }
+
+    @Test
+    void wrongObjectsAreRefused() throws IOException {
+        String many = String.join(",", Collections.nCopies(SceneObject.MOST, "{}"));
+        assertThat(Scenes.read(write(with(many))).objects()).hasSize(SceneObject.MOST);
+        assertRefused(with(many + ", {}"), "objects", "at most 64");
+        assertRefused(with(""), "objects", "is empty; give 1 to 64 objects");
+        assertRefused(with("{ \"size\": \"0 m\" }"), "objects.size", "give 1 nm to 1000 km");
+        assertRefused(with("{ \"size\": 3 }"), "objects.size", "unit");
+        assertRefused(with("{ \"position\": [\"1 m\", \"2 m\"] }"), "objects.position", "3 values");
+        assertRefused(with("{ \"orientation\": [1, 1, 1, 1] }"), "objects.orientation", "unit quaternion");
+        assertRefused(with("{ \"sise\": \"1 m\" }"), "objects.sise", "unknown key");
+        assertRefused(with("{ \"patch\": 3 }"), "objects.patch");
+        assertRefused(with("{ \"ground\": \"#ffffff\" }"), "objects.ground", "unknown key");
+        assertRefused(with("{}").replace("\"mesh\": \"snake\",", ""), "mesh", "missing");
     }
 
     @Test

@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.Main;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.render.SceneLoader;
-import sunbeam.app.render.SceneLoader.SceneShape;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;

@@ -9,17 +9,26 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
+import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.render.Pick;
+import sunbeam.app.scene.PatchAtlas;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneObject;
+import sunbeam.app.scene.SceneObject.Placement;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.ScenePresenter.Overlay;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.text.Text;
 
 /** The panel and the BRDF map of a point picked by a double click, in a real window. */
@@ -61,6 +70,25 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
                     .as("what is seen without scrolling")
                     .isEqualTo(panel.getSize());
         });
+    }
+
+    @Test
+    void thePanelFollowsThePickedObject() throws Exception {
+        Placement aside = new Placement(new Vector3f(0.2f, 0, 0), new Quaternionf(), OptionalDouble.of(0.05));
+        SceneObject ball = new SceneObject(
+                scene().with(SceneSettings.MESH, "sphere").settings(),
+                PatchAtlas.of(PatchRequest.of("lamellar")),
+                aside);
+        Scene both = scene().withObjects(List.of(ball, scene().objects().get(0)));
+        onEvents(() -> viewer.model.open(both, () -> {}));
+        awaitOnEvents(() -> viewer.model.loaded().orElseThrow().parts().size() == 2);
+        assertThat(modelScene().patch().patch()).isEqualTo("lamellar");
+
+        assertThat(doubleClick().object()).isEqualTo(1);
+
+        assertThat(modelScene().current()).isEqualTo(1);
+        assertThat(modelScene().patch().patch()).isEqualTo("blaze");
+        assertThat(panelText()).contains("object     2 of 2, cylinder");
     }
 
     @Test

@@ -200,7 +200,7 @@ public final class FrameSequence implements AutoCloseable {
         List<SceneSession> exact = new ArrayList<>();
         try {
             List<SceneData> parts = new SceneLoader(environment, warning -> {}).parts(points, parts(), share -> {});
-            parts.forEach(part -> exact.add(new SceneSession(context, part)));
+            exact.addAll(SceneSession.all(context, parts));
             Scene drawn = parts.get(0).scene();
             Certificate certificate = new Certificate.SceneCertifier(width, height, samples)
                     .certify(sum, scene, new PartSum(exact), drawn, exposure, count);

@@ -35,10 +35,11 @@ import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneLoader.LoadingScene;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
-import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ShutdownHook;
@@ -183,7 +184,9 @@ public final class RenderCommand extends FileCommand {
     }
 
     private static String plan(SceneData data) {
-        String of = data.scene().patches().isOne() ? "" : " of " + data.patch().name();
+        boolean isOnly = data.scene().patches().isOne()
+                && data.scene().looks().stream().distinct().count() == 1;
+        String of = isOnly ? "" : " of " + data.patch().name();
         return "plan" + of + ": " + data.method().summary();
     }
 
@@ -196,9 +199,8 @@ public final class RenderCommand extends FileCommand {
                         || certify.count().isPresent(),
                 "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone and --certify out");
         Path file = writable(output, FileNames.stem(Path.of(sceneName)) + "-wireframe.png");
-        MeshSource.Loaded mesh = scene.mesh().load();
-        mesh.warnings().forEach(warning -> err().println(Messages.warning(warning)));
-        BufferedImage image = LineDrawings.wireframe(scene, mesh.mesh(), overlays.strokes, size.width(), size.height());
+        Mesh mesh = SceneShape.wholeMesh(scene, warning -> err().println(Messages.warning(warning)));
+        BufferedImage image = LineDrawings.wireframe(scene, mesh, overlays.strokes, size.width(), size.height());
         Map<String, String> text = new TreeMap<>(Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene)));
         Path written = PngWriter.write(file, overwrite(output), image, text);
         json.print(out(file), Map.of("scene", sceneName), List.of(written));

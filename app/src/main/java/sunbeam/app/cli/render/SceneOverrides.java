@@ -36,7 +36,7 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
-/** Applies command-line options that override a scene's settings. */
+/** Applies command-line options that override a scene's settings; those of objects apply to each. */
 public final class SceneOverrides {
     public static final List<Setting<?>> SETTINGS =
             Setting.union(SceneSettings.OVERRIDABLE, PatchSettings.ALL, Methods.SETTINGS);
@@ -76,11 +76,14 @@ public final class SceneOverrides {
         located = withAbsoluteName(located, TEXTURE, BodyTexture.names());
         located = withAbsoluteName(located, ILLUMINANT, Illuminant.NAMES);
         located = withAbsoluteName(located, SceneSettings.ORIENTATION_MAP, List.of(Body.NONE));
-        Scene applied = scene.with(located);
-        if (given.get(SCALES, Scales.NONE) != Scales.NONE && applied.effectiveScales() == Scales.NONE) {
+        Choices own = located;
+        Scene applied = scene.each(object -> object.with(own));
+        if (given.get(SCALES, Scales.NONE) != Scales.NONE
+                && applied.perObject().stream().allMatch(object -> object.effectiveScales() == Scales.NONE)) {
             throw given.complaint(SCALES, "is for mesh snake; leave it out");
         }
-        return patch(applied, withAbsoluteName(given, PATCH, BuiltInPatches.names()));
+        Choices ofPatch = withAbsoluteName(given, PATCH, BuiltInPatches.names());
+        return applied.each(object -> patch(object, ofPatch));
     }
 
     /**

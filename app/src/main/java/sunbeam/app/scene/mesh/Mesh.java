@@ -1,10 +1,13 @@
 package sunbeam.app.scene.mesh;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
 import jrtr.VertexData;
+import org.joml.Matrix4fc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import org.joml.Vector3f;
 
 /**
  * Triangle mesh. Arrays are shared; they must not be changed.
@@ -43,6 +46,42 @@ public record Mesh(
 
     static Vector3d vector(float[] values, int index) {
         return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
+    }
+
+    /** Joins meshes, each moved by a matrix that keeps its shape; without tangents and texture coordinates if there are several. */
+    public static Mesh joined(List<Mesh> meshes, List<? extends Matrix4fc> places) {
+        if (meshes.size() == 1 && (places.get(0).properties() & Matrix4fc.PROPERTY_IDENTITY) != 0) {
+            return meshes.get(0);
+        }
+        int vertices = meshes.stream().mapToInt(Mesh::vertices).sum();
+        float[] positions = new float[3 * vertices];
+        float[] normals = new float[3 * vertices];
+        int[] indices =
+                new int[meshes.stream().mapToInt(mesh -> mesh.indices.length).sum()];
+        Vector3f vector = new Vector3f();
+        int vertex = 0;
+        int corner = 0;
+        for (int i = 0; i < meshes.size(); i++) {
+            Mesh mesh = meshes.get(i);
+            for (int index : mesh.indices) {
+                indices[corner++] = vertex + index;
+            }
+            for (int j = 0; j < mesh.positions.length; j += 3) {
+                vector.set(mesh.positions[j], mesh.positions[j + 1], mesh.positions[j + 2]);
+                put(places.get(i).transformPosition(vector), positions, 3 * vertex + j);
+                vector.set(mesh.normals[j], mesh.normals[j + 1], mesh.normals[j + 2]);
+                put(places.get(i).transformDirection(vector).normalize(), normals, 3 * vertex + j);
+            }
+            vertex += mesh.vertices();
+        }
+        boolean closed = meshes.stream().allMatch(Mesh::closed);
+        return new Mesh(positions, normals, new float[0], new float[0], indices, closed);
+    }
+
+    private static void put(Vector3f vector, float[] values, int at) {
+        values[at] = vector.x;
+        values[at + 1] = vector.y;
+        values[at + 2] = vector.z;
     }
 
     /** Returns vertex data with the visible share of the sky (0 to 1 for each vertex) as the magnitude of the tangents' w. */

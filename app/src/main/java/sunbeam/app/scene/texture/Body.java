@@ -1,6 +1,7 @@
 package sunbeam.app.scene.texture;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -14,16 +15,9 @@ import sunbeam.precompute.text.Text;
  * @param relief encoded by {@link ScaleRelief}
  * @param directions flow map of the nanostructure's x axis: red along the tangent (right), green along the bitangent (up); the bytes 1, 128
  *     and 255 mean -1, 0 and 1. A height map turned by 180 degrees is another surface
- * @param patches map with one exact color for each patch
- * @param patchColor this body's color in that map, 0xRRGGBB
+ * @param patches map whose red byte is the index of the patch
  */
-public record Body(
-        BodyTexture colors,
-        Scales scales,
-        BodyTexture relief,
-        BodyTexture directions,
-        BodyTexture patches,
-        int patchColor) {
+public record Body(BodyTexture colors, Scales scales, BodyTexture relief, BodyTexture directions, BodyTexture patches) {
     /** Plain white, the mesh's own tangents, or one patch everywhere. */
     public static final String NONE = "none";
 
@@ -34,15 +28,12 @@ public record Body(
     // Sixteenth of the longest vector, in steps of a byte, which resolve the direction of a shorter one too coarsely.
     private static final int SHORTEST = 8;
 
-    /** Loads the textures, with one patch everywhere; throws InputException if a file cannot be used. */
-    public static Body load(String texture, Scales scales, String orientationMap, BlobCache cache) {
+    /** Loads the textures; {@code patches} comes from {@link #patches}. Throws InputException if a file cannot be used. */
+    public static Body load(
+            String texture, Scales scales, String orientationMap, BodyTexture patches, BlobCache cache) {
         BodyTexture colors = BodyTexture.load(texture, cache);
         BodyTexture relief = ScaleRelief.of(scales, cache);
-        return new Body(colors, scales, relief, directions(orientationMap), patches(NONE, Set.of()), WHITE);
-    }
-
-    public Body with(BodyTexture map, int color) {
-        return new Body(colors, scales, relief, directions, map, color);
+        return new Body(colors, scales, relief, directions(orientationMap), patches);
     }
 
     private static BodyTexture directions(String nameOrFile) {
@@ -71,30 +62,31 @@ public record Body(
     }
 
     /**
-     * Loads a map of exactly these colors, 0xRRGGBB.
+     * Loads a map of exactly these colors, 0xRRGGBB, and puts their indices in place of its texels.
      *
      * @throws InputException if the file or its colors cannot be used
      */
-    public static BodyTexture patches(String nameOrFile, Set<Integer> colors) {
+    public static BodyTexture patches(String nameOrFile, List<Integer> colors) {
         if (nameOrFile.equals(NONE)) {
-            return BodyTexture.ofTexel(255, 255, 255, 255);
+            return BodyTexture.ofTexel(0, 0, 0, 255);
         }
         Path file = Path.of(nameOrFile);
         BodyTexture map = BodyTexture.read("patch map", file, "");
         Set<Integer> missing = new TreeSet<>(colors);
         int last = -1;
+        int index = -1;
         for (int texel = 0; texel < map.width() * map.height(); texel++) {
             int color = map.color(texel);
-            if (color != last && !colors.contains(color)) {
+            index = color == last ? index : colors.indexOf(color);
+            last = color;
+            if (index < 0) {
                 throw new InputException(Text.format(
                         "patch map %s has #%06x in column %d, row %d, which has no patch; known are %s (paint without soft"
                                 + " edges, save as PNG)",
-                        file, color, texel % map.width(), texel / map.width(), names(colors)));
+                        file, color, texel % map.width(), texel / map.width(), names(new TreeSet<>(colors))));
             }
-            if (color != last) {
-                missing.remove(color);
-                last = color;
-            }
+            missing.remove(color);
+            map.rgba()[4 * texel] = (byte) index;
         }
         if (!missing.isEmpty()) {
             throw new InputException("patch map " + file + " has nowhere " + names(missing)

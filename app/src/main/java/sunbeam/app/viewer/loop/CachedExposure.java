@@ -5,6 +5,7 @@ import static sunbeam.app.render.PartSum.TABLE_SAMPLES;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
+import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -13,6 +14,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.setting.Choices;
 
 /**
  * Automatic exposure of the last metered picture. While light, camera or model move, it follows the displayed pictures, so that it does not
@@ -110,8 +112,12 @@ final class CachedExposure {
     private static boolean looksTheSame(SceneData data, SceneData last) {
         return last != null
                 && data.method() == last.method()
-                && data.mesh() == last.mesh()
-                && data.body() == last.body()
-                && data.scene().weights().equals(last.scene().weights());
+                && data.shape().whole() == last.shape().whole()
+                && data.shape().things().equals(last.shape().things())
+                && weights(data).equals(weights(last));
+    }
+
+    private static List<Choices> weights(SceneData data) {
+        return data.scene().perObject().stream().map(Scene::weights).toList();
     }
 }

@@ -15,8 +15,8 @@ import sunbeam.app.render.LineDrawings;
 import sunbeam.app.render.Pick;
 import sunbeam.app.render.PixelPicture;
 import sunbeam.app.render.PixelSamples;
-import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.render.SceneSession;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -110,7 +110,7 @@ public final class GraphicsStage implements Stage {
         current.colors().forEach(VirtualTexture::prefetch);
     }
 
-    /** The sum of several tables (patches, Fresnel components) is previewed like a method without tables. */
+    /** A picture of several tables (looks, patches, Fresnel components) is previewed like a method without tables. */
     private boolean isByTable() {
         return current.parts.size() == 1 && current.colors().findAny().isPresent();
     }
@@ -266,7 +266,7 @@ public final class GraphicsStage implements Stage {
             BiConsumer<BufferedImage, Boolean> drawn) {
         map.cancel();
         List<SceneSession> parts = own.parts.stream()
-                .filter(part -> part.data().region() == request.region())
+                .filter(part -> part.data().draws(request.object(), request.region()))
                 .toList();
         if (parts.isEmpty()) {
             return;

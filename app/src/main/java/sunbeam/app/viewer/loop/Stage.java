@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 import jrtr.Tile;
 import sunbeam.app.render.Pick;
 import sunbeam.app.render.SceneData;
-import sunbeam.app.render.SceneLoader.SceneShape;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.precompute.optics.Direction;
@@ -33,9 +33,10 @@ public interface Stage extends AutoCloseable {
      * Description of the BRDF map beside the picture.
      *
      * @param light direction to the light, tangent frame
-     * @param region index of the map's patch among the scene's patches
+     * @param object index of the object among the scene's objects
+     * @param region index of the map's patch among the object's patches
      */
-    record MapRequest(Direction light, int region) {}
+    record MapRequest(Direction light, int object, int region) {}
 
     /**
      * Picture in less than final quality.

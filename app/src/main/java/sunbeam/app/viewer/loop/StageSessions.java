@@ -1,14 +1,14 @@
 package sunbeam.app.viewer.loop;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.PartSum;
 import sunbeam.app.render.SceneData;
-import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.render.SceneSession;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
 
@@ -17,7 +17,7 @@ final class StageSessions implements AutoCloseable {
     private final RenderContext context;
     TimedTiles tiles;
     FrameScale scale;
-    /** One for each patch and Fresnel component; empty before the first update. */
+    /** One for each look, patch and Fresnel component; empty before the first update. */
     List<SceneSession> parts = List.of();
 
     private SceneData scaled;
@@ -56,25 +56,18 @@ final class StageSessions implements AutoCloseable {
     }
 
     private void replace(List<SceneData> wanted) {
-        List<SceneSession> made = new ArrayList<>();
-        try {
-            if (body != null) {
-                made.add(body);
-                body = null;
-                made.get(0).update(wanted.get(0));
-            }
-            wanted.stream().skip(made.size()).forEach(data -> made.add(new SceneSession(context, data)));
-        } catch (RuntimeException | OutOfMemoryError failure) {
-            made.forEach(SceneSession::close);
-            throw failure;
-        }
+        SceneSession first = body != null ? body : new SceneSession(context, wanted.get(0));
+        body = null;
+        List<SceneSession> made = Resource.orClose(() -> SceneSession.all(first, wanted), first::close);
         close();
-        parts = List.copyOf(made);
+        parts = made;
     }
 
     @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void followCost(SceneData data) {
-        if (scaled == null || data.method() != scaled.method() || data.mesh() != scaled.mesh()) {
+        if (scaled == null
+                || data.method() != scaled.method()
+                || data.shape().whole() != scaled.shape().whole()) {
             scale = new FrameScale();
             tiles = new TimedTiles(this::pixelClock);
         }

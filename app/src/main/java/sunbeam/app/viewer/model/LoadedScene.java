@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.function.DoubleConsumer;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneLoader;
-import sunbeam.app.render.SceneLoader.SceneShape;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.work.BackgroundTask;
 
-/** Scene in memory, with a part for each patch and each Fresnel component of the patch's reflection. */
+/** Scene in memory, with a part for each look, each of its patches and each Fresnel component of the patch's reflection. */
 public record LoadedScene(List<SceneData> parts) {
 
     /** May take seconds. */
@@ -41,11 +41,11 @@ public record LoadedScene(List<SceneData> parts) {
         return parts.get(0);
     }
 
-    public List<SceneData> ofRegion(int region) {
-        return parts.stream().filter(part -> part.region() == region).toList();
+    public List<SceneData> ofPatch(int object, int region) {
+        return parts.stream().filter(part -> part.draws(object, region)).toList();
     }
 
-    /** Returns the same parts with a scene for which {@link Scene#sharesParts} holds. */
+    /** Returns the same parts with a scene for which {@link SceneData#suits} holds. */
     public LoadedScene with(Scene scene) {
         return new LoadedScene(parts.stream().map(part -> part.with(scene)).toList());
     }

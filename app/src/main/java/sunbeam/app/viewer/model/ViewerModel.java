@@ -8,6 +8,7 @@ import java.util.function.DoubleConsumer;
 import java.util.function.UnaryOperator;
 import javax.swing.SwingUtilities;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSharing;
 
 /**
  * Model of the viewer: the scene that the user sees and changes. Used on the event thread only. Changes that need loading are loaded in the
@@ -71,10 +72,10 @@ public final class ViewerModel {
     }
 
     private void set(Scene next, boolean mustLoad) {
-        boolean loads = mustLoad || loaded == null || !next.sharesParts(wanted);
+        boolean loads = mustLoad || loaded == null || !SceneSharing.sharesParts(next, wanted);
         wanted = next;
         if (loaded != null) {
-            loaded = loaded.with(next.withPartsOf(loaded.firstPart().scene()));
+            loaded = loaded.with(SceneSharing.withPartsOf(loaded.firstPart().scene(), next));
         }
         if (loads) {
             load();
@@ -101,7 +102,7 @@ public final class ViewerModel {
     }
 
     private void goTo(Scene scene) {
-        if (scene.sharesParts(wanted)) {
+        if (SceneSharing.sharesParts(scene, wanted)) {
             set(scene, false);
         } else {
             load(scene, () -> {});
@@ -135,7 +136,7 @@ public final class ViewerModel {
         if (result == null) {
             return;
         }
-        loaded = result.with(wanted.withPartsOf(result.firstPart().scene()));
+        loaded = result.with(SceneSharing.withPartsOf(result.firstPart().scene(), wanted));
         opening.filter(done -> done.load() <= number).ifPresent(done -> {
             opening = Optional.empty();
             done.opened().run();
@@ -150,9 +151,8 @@ public final class ViewerModel {
         }
         if (loaded != null) {
             // Changes made to a scene that failed to open are discarded with it.
-            wanted = opening.map(Opening::before)
-                    .orElse(wanted)
-                    .withPartsOf(loaded.firstPart().scene());
+            wanted = SceneSharing.withPartsOf(
+                    loaded.firstPart().scene(), opening.map(Opening::before).orElse(wanted));
             loaded = loaded.with(wanted);
         }
         opening = Optional.empty();

@@ -220,6 +220,6 @@ class BuiltInMeshesTest {
     }
 
     private static Body body(BodyTexture colors, Scales scales) {
-        return new Body(colors, scales, ScaleRelief.of(scales, BlobCache.NONE), colors, colors, Body.WHITE);
+        return new Body(colors, scales, ScaleRelief.of(scales, BlobCache.NONE), colors, colors);
     }
 }

@@ -75,7 +75,7 @@ class GraphicsStageTest {
             stage.interactive(true);
             for (int theta : new int[] {0, 0, 30}) {
                 Thread.sleep(101); // they are drawn ten times a second at most
-                MapRequest request = new MapRequest(Direction.ofDegrees(theta, 0), 0);
+                MapRequest request = new MapRequest(Direction.ofDegrees(theta, 0), 0, 0);
                 stage.map(request, false, () -> false, (image, isFinal) -> drawn.add(theta));
             }
         }

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.render.InAScene;
 import sunbeam.app.render.Pick;
 import sunbeam.app.render.SceneData;
-import sunbeam.app.render.SceneLoader.SceneShape;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.viewer.ViewerInAWindow;

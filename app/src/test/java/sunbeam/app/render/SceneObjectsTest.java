@@ -1,0 +1,207 @@
+package sunbeam.app.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.scene.PatchAtlas;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneColor;
+import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.scene.SceneObject;
+import sunbeam.app.scene.SceneObject.Placement;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneSharing;
+import sunbeam.app.scene.Weights;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.patch.PatchLoader.PatchRequest;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
+
+/** Scenes of several objects. */
+class SceneObjectsTest extends InAScene {
+    private static final int WIDTH = 40;
+    private static final int HEIGHT = 30;
+    private static final Choices MIXED = Weights.of(3000, 1, 1, 0);
+
+    private static SceneObject object(String mesh, String patch, Choices weights, Placement placement) {
+        Choices settings = blaze().with(SceneSettings.MESH, mesh).with(weights).settings();
+        return new SceneObject(settings, PatchAtlas.of(PatchRequest.of(patch)), placement);
+    }
+
+    private static Placement at(double x, double y, double z, double size) {
+        return new Placement(new Vector3f((float) x, (float) y, (float) z), new Quaternionf(), OptionalDouble.of(size));
+    }
+
+    private static Scene scene(SceneObject... objects) {
+        return blaze().withObjects(List.of(objects));
+    }
+
+    private static Scene quick(Scene scene, boolean byTable) {
+        return scene.withMethod(new SceneMethod(Choices.none()
+                .with(Methods.METHOD, byTable ? TableMethod.TYPE : FullMethod.TYPE)
+                .with(MethodSettings.TOLERANCE, 0.05)));
+    }
+
+    private float[] drawn(Scene scene) {
+        List<SceneSession> sessions = SceneSession.all(context, parts(scene));
+        try {
+            return new PartSum(sessions)
+                    .draw(DrawRequest.ofPixels(scene, WIDTH, HEIGHT, jrtr.Tile.whole(WIDTH, HEIGHT), 1))
+                    .rgba();
+        } finally {
+            sessions.forEach(SceneSession::close);
+        }
+    }
+
+    private final SceneObject left = object("plane", "blaze", DIFFRACTION_ONLY, at(-0.09, 0, 0, 0.1));
+    private final SceneObject right = object("sphere", "lamellar", MIXED, at(0.09, 0, 0, 0.08));
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void twoObjectsFarApartEqualTwoScenes(boolean byTable) {
+        float[] both = drawn(quick(scene(left, right), byTable));
+        float[] first = drawn(quick(scene(left), byTable));
+        float[] second = drawn(quick(scene(right), byTable));
+
+        int[] pixels = new int[3];
+        for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
+            boolean showsFirst = first[4 * pixel + 3] > 0;
+            boolean showsSecond = second[4 * pixel + 3] > 0;
+            pixels[showsFirst ? 0 : showsSecond ? 1 : 2]++;
+            float[] expected = showsSecond ? second : first;
+            for (int c = 4 * pixel; c < 4 * pixel + 4; c++) {
+                // The sum of light and body is rounded on the processor in one scene, on the graphics card in the
+                // other.
+                assertThat(both[c]).isCloseTo(expected[c], within(2e-6f + 1e-5f * expected[c]));
+            }
+        }
+        assertThat(IntStream.of(pixels).min().orElseThrow())
+                .as("each object, and the background")
+                .isGreaterThan(40);
+    }
+
+    @Test
+    void anObjectHasItsPlaceSizeAndOrientation() {
+        Placement upright = new Placement(
+                new Vector3f(0.02f, 0.03f, 0), new Quaternionf().rotationX(1.5f), OptionalDouble.of(0.05));
+        Scene scene = scene(object("sphere", "blaze", DIFFRACTION_ONLY, upright), right);
+        SceneShape shape = loader().shape(scene);
+
+        // The sphere's radius is 0.1 m. A few operations in float32.
+        Vector3f moved = shape.things().get(0).toModel().transformPosition(new Vector3f(0, 0.1f, 0));
+        float across = 0.025f * (float) Math.cos(1.5);
+        assertThat(moved.distance(0.02f, 0.03f + across, 0.025f * (float) Math.sin(1.5)))
+                .isLessThan(1e-7f);
+        assertThat(shape.whole().side(2)).isCloseTo(0.08, within(1e-6));
+        assertThat(shape.whole().side(0)).isCloseTo(0.13 + 0.005, within(1e-4));
+    }
+
+    @Test
+    void theNearerObjectHidesTheFartherOneAndIsPicked() {
+        Scene scene = scene(left, object("sphere", "lamellar", MIXED, at(-0.09, 0, 0.05, 0.04)));
+        List<SceneSession> sessions = SceneSession.all(context, parts(scene));
+        PartSum sum = new PartSum(sessions);
+        List<Integer> picked = new ArrayList<>();
+        for (int x = 0; x < WIDTH; x++) {
+            sum.pick(x, HEIGHT / 2, WIDTH, HEIGHT).map(Pick::object).ifPresent(picked::add);
+        }
+        sessions.forEach(SceneSession::close);
+
+        assertThat(picked.stream().distinct()).as("from left to right").containsExactly(0, 1);
+        assertThat(picked.get(picked.size() - 1))
+                .as("the plane is on both sides")
+                .isZero();
+        float[] alone = drawn(scene(left));
+        float[] both = drawn(scene);
+        assertThat(IntStream.range(0, alone.length)
+                        .filter(i -> both[i] != alone[i])
+                        .count())
+                .isGreaterThan(20);
+    }
+
+    @Test
+    void anObjectShadesAnother() {
+        SceneObject floor = object("plane", "blaze", Weights.of(0, 1, 1, 0), at(0, 0, 0, 0.2));
+        SceneObject ball = object("sphere", "blaze", Weights.of(0, 1, 1, 0), at(-0.03, 0.045, 0.12, 0.05));
+        Scene scene = scene(floor, ball).with(around(Optional.empty(), 0, true));
+        float[] shaded = drawn(scene);
+        float[] lit = drawn(scene.with(SceneSettings.SHADOWS, false));
+
+        // The light comes from (-0.2, 0.3, 0.9): the ball's shadow lies around the origin, which is in the middle.
+        int middle = 4 * (HEIGHT / 2 * WIDTH + WIDTH / 2) + 1;
+        assertThat(shaded[middle]).isLessThan(0.05f * lit[middle]);
+    }
+
+    @Test
+    void theGroundLiesBelowAllObjects() {
+        Scene scene = scene(left, object("sphere", "blaze", MIXED, at(0.09, 0, -0.1, 0.08)))
+                .with(around(Optional.of(new SceneColor(0x808080)), 0, false));
+        float[] drawn = drawn(scene);
+
+        assertThat(loader().shape(scene).bounds().radius()).isGreaterThan(0.1f);
+        for (int alpha = 3; alpha < drawn.length; alpha += 4) {
+            assertThat(drawn[alpha]).as("the ground fills what shows no object").isGreaterThan(0.99f);
+        }
+        // Diffraction alone has no ground.
+        assertThat(drawn(scene(left).with(around(Optional.of(new SceneColor(0x808080)), 0, false))))
+                .contains(0f);
+    }
+
+    @Test
+    void equalLooksShareAPassAndEqualPatchesShareTables() {
+        SceneObject twin = object("sphere", "blaze", DIFFRACTION_ONLY, at(0.09, 0, 0, 0.08));
+        SceneObject brighter = object("disc", "blaze", Weights.of(2, 0, 0, 0), Placement.NONE);
+        List<SceneData> parts = parts(scene(left, twin, brighter, right));
+
+        assertThat(parts).extracting(SceneData::look).containsExactly(0, 2, 3);
+        assertThat(parts.get(1).method()).isSameAs(parts.get(0).method());
+        assertThat(parts.get(1).tables()).isSameAs(parts.get(0).tables());
+        assertThat(parts.get(2).method()).isNotSameAs(parts.get(0).method());
+        assertThat(parts.get(0).draws(1, 0)).as("the twin's patch").isTrue();
+    }
+
+    @Test
+    void objectsOfAnySizesAreDrawn() {
+        SceneObject speck = object("sphere", "lamellar", MIXED, at(0, 0, 0.1, 1e-7));
+        Scene scene = scene(left, speck).with(around(Optional.of(new SceneColor(0x808080)), 0.3, true));
+        float[] drawn = drawn(scene);
+
+        for (float value : drawn) {
+            assertThat(value).isFinite();
+        }
+        assertThat(drawn(scene(left, speck))).isEqualTo(drawn(scene(left)));
+    }
+
+    @Test
+    void aChangeOfOneObjectReloadsThatAlone() {
+        Scene scene = scene(left, right);
+        List<SceneData> before = parts(scene);
+        Scene changed = scene.at(1).with(SceneSettings.MESH, "disc").at(0);
+        List<SceneData> after = loader().parts(changed, before, share -> {});
+
+        assertThat(after.get(0).shape().things().get(0))
+                .isEqualTo(before.get(0).shape().things().get(0));
+        assertThat(after.get(0).shape().things().get(1).mesh())
+                .isNotSameAs(before.get(0).shape().things().get(1).mesh());
+        assertThat(after.get(1).method()).isSameAs(before.get(1).method());
+        assertThat(SceneSharing.sharesParts(scene, changed)).isFalse();
+        assertThat(SceneSharing.sharesParts(scene, scene.at(1))).isTrue();
+        Scene moved =
+                SceneSharing.withPartsOf(scene, changed).withLight(scene.light().pointing(new Vector3f(1, 0, 1)));
+        assertThat(SceneSharing.sharesParts(moved, scene))
+                .as("what is loaded, under the newest light")
+                .isTrue();
+    }
+}
