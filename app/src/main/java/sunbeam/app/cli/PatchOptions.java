@@ -74,11 +74,6 @@ public final class PatchOptions extends SettingOptions {
                         + " folder with a table and a sheet of thumbnails.");
     }
 
-    /** Returns the options of a command whose surface is an argument that must be given. */
-    public static PatchOptions ofArgument() {
-        return new PatchOptions(WITHOUT_PATCH, "1", "A built-in patch, a descriptor (.json) or a scan.");
-    }
-
     /** Returns options without {@code --patch}: the command declares its own option for it. */
     public static PatchOptions withoutPatch() {
         return new PatchOptions(WITHOUT_PATCH, "", "");

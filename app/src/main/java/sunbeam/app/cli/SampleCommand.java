@@ -54,7 +54,7 @@ public final class SampleCommand extends FileCommand {
     private static final int HDF5_COPIES = 3;
 
     @Mixin
-    private final PatchOptions patchOptions = PatchOptions.ofArgument();
+    private final PatchOptions patchOptions = new PatchOptions();
 
     @Mixin
     private final SettingOptions table = MethodOptions.ofTables(Map.of());

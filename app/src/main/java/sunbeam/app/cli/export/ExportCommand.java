@@ -64,7 +64,7 @@ public final class ExportCommand extends FileCommand {
     private static final int BANDS = 41;
 
     @Mixin
-    private final PatchOptions patchOptions = PatchOptions.ofArgument();
+    private final PatchOptions patchOptions = new PatchOptions();
 
     @Mixin
     private final SettingOptions settings = MethodOptions.ofTables(Map.of(

@@ -1,11 +1,14 @@
-package sunbeam.app.cli;
+package sunbeam.app.cli.render;
 
 import java.awt.Dimension;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import sunbeam.app.cli.DisplayOptions.PictureSize;
+import sunbeam.app.cli.ReportingCommand;
+import sunbeam.app.cli.SettingOptions;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.ExitCode;
@@ -21,7 +24,7 @@ import sunbeam.app.viewer.Viewer;
                 + " is refined to the picture that 'render' writes. A scene that names no method is drawn by table at"
                 + " tolerance 0.01, whose colors are made the first time and kept; plan.method full in its file, or"
                 + " full in the panel, draws without them. F1 lists the mouse and the keys; see also docs/viewer.md.",
-        footer = {"  sunbeam view elaphe"})
+        footer = {"  sunbeam view elaphe", "  sunbeam view elaphe --patch scan.png --width 65um --max-height 375nm"})
 public final class ViewCommand extends ReportingCommand {
     private static final double SHORTEST_MEASUREMENT = 1;
     private static final double LONGEST_MEASUREMENT = 600;
@@ -49,12 +52,16 @@ public final class ViewCommand extends ReportingCommand {
                     "Width and height of the picture in the window, in pixels. Default: what a window of 1180x880 leaves for it.")
     private PictureSize size;
 
+    @Mixin
+    private final SettingOptions overrides =
+            SettingOptions.overriding(SceneOverrides.SETTINGS, SceneOverrides.STANDARDS);
+
     @Override
     public Integer call() throws InterruptedException {
         UsageException.throwIf(
                 measure != null && !(measure >= SHORTEST_MEASUREMENT && measure <= LONGEST_MEASUREMENT),
                 "--measure " + measure + " is out of range; give 1 to 600 seconds");
-        Scene first = Scenes.load(scene);
+        Scene first = SceneOverrides.apply(Scenes.load(scene), overrides.choices());
         Consumer<String> warning = err()::println;
         Dimension pictureSize = size == null ? null : new Dimension(size.width(), size.height());
         if (measure == null) {
