@@ -30,6 +30,11 @@ public record CieLab(double lightness, double a, double b) {
         return Math.hypot(a, b);
     }
 
+    /** Returns the hue angle h_ab, degrees in 0..360. */
+    public double hue() {
+        return hue(a, b);
+    }
+
     /**
      * Returns CIEDE2000 (ISO/CIE 11664-6) with all weights 1, at least 0; a difference of about 1 is just visible. Numbers below are
      * equations of G. Sharma, W. Wu, E. Dalal, "The CIEDE2000 color-difference formula: implementation notes, supplementary test data, and
