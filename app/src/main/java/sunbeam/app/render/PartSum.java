@@ -1,6 +1,7 @@
 package sunbeam.app.render;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -10,6 +11,7 @@ import java.util.OptionalDouble;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import jrtr.Tile;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -26,11 +28,17 @@ import sunbeam.precompute.method.TableMethod;
  * @param sessions one session per part
  */
 public record PartSum(List<SceneSession> sessions) {
-    /** In pixels, longer side of the picture that is metered for automatic exposure. */
-    public static final int METER_SIDE = 160;
+    // In pixels, longer sides of the pictures that are metered for automatic exposure, under the light and under those
+    // around it.
+    private static final int METER_SIDE = 160;
+    private static final int AROUND_SIDE = 80;
 
-    /** Samples along a metered pixel's side by method table; other methods take one. */
-    public static final int TABLE_SAMPLES = 2;
+    // Factor by which the direction of the light may change the exposure: a stop, between a high and a low key of one
+    // scene.
+    private static final double MOST_BY_LIGHT = 2;
+
+    // Samples along a metered pixel's side by method table; other methods take one.
+    private static final int TABLE_SAMPLES = 2;
 
     /** Compares some baked colors with exact ones and warns of tables that err too much. */
     public void validate() {
@@ -72,9 +80,10 @@ public record PartSum(List<SceneSession> sessions) {
     }
 
     /**
-     * Returns the scene's exposure if it is set, else the automatic exposure of a small picture with the same ratio of sides. It depends
-     * neither on the whole picture's size and samples nor on finer levels of a color table than the coarsest: a picture that is refined
-     * level by level keeps its exposure.
+     * Returns the scene's exposure if it is set, else the automatic exposure of a small picture with the same ratio of sides. It is {@link
+     * #bounded} by those under {@link Scene#lightsAround}: an order that the light's own direction sends to the camera does not decide. It
+     * depends neither on the whole picture's size and samples nor on finer levels of a color table than the coarsest: a picture that is
+     * refined level by level keeps its exposure.
      *
      * @param interrupted polled before each tile
      * @return empty if interrupted
@@ -83,7 +92,25 @@ public record PartSum(List<SceneSession> sessions) {
         if (scene.get(SceneSettings.EXPOSURE).isPresent()) {
             return scene.get(SceneSettings.EXPOSURE);
         }
-        Tile meter = meter(width, height);
+        OptionalDouble own = exposureUnder(scene, meter(width, height, METER_SIDE), tiles, interrupted);
+        List<Scene> around = scene.lightsAround();
+        double[] others = around.stream()
+                .map(lit -> exposureUnder(lit, meter(width, height, AROUND_SIDE), tiles, interrupted))
+                .flatMapToDouble(OptionalDouble::stream)
+                .toArray();
+        return own.isPresent() && others.length == around.size()
+                ? OptionalDouble.of(bounded(own.getAsDouble(), others))
+                : OptionalDouble.empty();
+    }
+
+    /** Returns an exposure, or the nearest that is at most {@link #MOST_BY_LIGHT} times off the median of an even number of others. */
+    static double bounded(double own, double[] others) {
+        double[] sorted = Arrays.stream(others).sorted().toArray();
+        double middle = Math.sqrt(sorted[sorted.length / 2 - 1] * sorted[sorted.length / 2]);
+        return Math.max(middle / MOST_BY_LIGHT, Math.min(middle * MOST_BY_LIGHT, own));
+    }
+
+    private OptionalDouble exposureUnder(Scene scene, Tile meter, TimedTiles tiles, BooleanSupplier interrupted) {
         int samples = scene.method().type().equals(TableMethod.TYPE) ? TABLE_SAMPLES : 1;
         ScenePicture small = ScenePicture.empty(meter.width(), meter.height());
         boolean isWhole = tiles.draw(meter.divide(TimedTiles.LARGEST), interrupted, tile -> {
@@ -94,14 +121,20 @@ public record PartSum(List<SceneSession> sessions) {
     }
 
     static List<DrawRequest> meterParts(Scene scene, int width, int height) {
-        Tile meter = meter(width, height);
-        return SceneSession.parts(scene, meter.width(), meter.height(), PixelSamples.uniform(TABLE_SAMPLES)).stream()
-                .map(DrawRequest::coarsest)
+        return Stream.concat(
+                        meterParts(scene, meter(width, height, METER_SIDE)),
+                        scene.lightsAround().stream()
+                                .flatMap(lit -> meterParts(lit, meter(width, height, AROUND_SIDE))))
                 .toList();
     }
 
-    private static Tile meter(int width, int height) {
-        double scale = METER_SIDE / (double) Math.max(width, height);
+    private static Stream<DrawRequest> meterParts(Scene scene, Tile meter) {
+        return SceneSession.parts(scene, meter.width(), meter.height(), PixelSamples.uniform(TABLE_SAMPLES)).stream()
+                .map(DrawRequest::coarsest);
+    }
+
+    private static Tile meter(int width, int height, int side) {
+        double scale = side / (double) Math.max(width, height);
         return Tile.whole((int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));
     }
 

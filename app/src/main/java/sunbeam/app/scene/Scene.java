@@ -49,6 +49,11 @@ public record Scene(
     /** The shaders' limit of lights, less the key light. */
     public static final int MOST_FILL_LIGHTS = Light.MOST - 1;
 
+    // Number of metered directions around the light's own, and their angle to it, radians: wider than an order's streak
+    // on built-in scenes.
+    private static final int METER_TILTS = 4;
+    private static final double METER_TILT = Math.tan(Math.toRadians(25));
+
     private static final Choices STANDARD = SceneSettings.standards(SceneSettings.OF_RECORD);
 
     public Scene {
@@ -216,6 +221,20 @@ public record Scene(
     /** Returns all lights, the key light first. */
     public List<SceneLight> lights() {
         return Stream.concat(Stream.of(light), fillLights.stream()).toList();
+    }
+
+    /** Returns an even number of scenes with the key light in directions around its own, with which automatic exposure compares that one. */
+    public List<Scene> lightsAround() {
+        return light.around(METER_TILTS, METER_TILT).stream()
+                .map(this::withLight)
+                .toList();
+    }
+
+    /** Returns all that automatic exposure depends on and that the viewer measures again: material and weights, not light, view and method. */
+    public List<Object> exposureInputs() {
+        return perObject().stream()
+                .<Object>map(one -> List.of(one.settings.only(SceneSettings.PARTS), one.weights(), one.patches))
+                .toList();
     }
 
     /** Returns the standard deviation of a light's directions, radians; 0 with the thesis's preset. */

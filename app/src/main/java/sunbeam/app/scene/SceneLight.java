@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
@@ -46,15 +47,20 @@ public record SceneLight(Vector3fc towards, double intensity, double angularDiam
         // A ring of radius d has the variance d^2 / 2 along either axis.
         double share = 1 / Math.sqrt(1 + RING / (RING + 1.0) * RING_DISTANCE * RING_DISTANCE / 2);
         SceneLight middle = new SceneLight(towards, intensity / (RING + 1), share * angularDiameter);
+        List<SceneLight> lights = new ArrayList<>(List.of(middle));
+        lights.addAll(middle.around(RING, RING_DISTANCE * middle.deviation()));
+        return lights;
+    }
+
+    /** Returns lights like this one, evenly around its direction at an angle of the given tangent. */
+    List<SceneLight> around(int count, double tangent) {
         Vector3f across = towards.cross(
                 Math.abs(towards.x()) < 0.5 ? new Vector3f(1, 0, 0) : new Vector3f(0, 1, 0), new Vector3f());
-        across.normalize((float) (RING_DISTANCE * middle.deviation()));
-        List<SceneLight> lights = new ArrayList<>(List.of(middle));
-        for (int i = 0; i < RING; i++) {
-            float angle = (float) (2 * Math.PI * i / RING);
-            Vector3f aside = across.rotateAxis(angle, towards.x(), towards.y(), towards.z(), new Vector3f());
-            lights.add(middle.pointing(aside.add(towards)));
-        }
-        return lights;
+        across.normalize((float) tangent);
+        return IntStream.range(0, count)
+                .mapToObj(i -> (float) (2 * Math.PI * i / count))
+                .map(angle -> across.rotateAxis(angle, towards.x(), towards.y(), towards.z(), new Vector3f()))
+                .map(aside -> pointing(aside.add(towards)))
+                .toList();
     }
 }

@@ -196,7 +196,18 @@ enum Action {
     }
 
     void run(Viewer viewer, KeyStroke stroke) {
+        viewer.window.picture.hideHint();
         effect.accept(viewer, stroke);
+    }
+
+    /** Returns whether the action would do anything now; its menu entry is gray otherwise. */
+    boolean isAvailable(Viewer viewer) {
+        return switch (this) {
+            case UNDO -> viewer.model.canUndo();
+            case REDO -> viewer.model.canRedo();
+            case COPY -> viewer.inspector.point().isPresent();
+            default -> true;
+        };
     }
 
     /** Group of mouse and key actions, in the order of the help. A group with a menu offers its key actions there. */

@@ -9,8 +9,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import javax.swing.Box;
+import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
@@ -44,7 +45,7 @@ public final class ControlPanel extends JTabbedPane {
     private static final double WEIGHT_WITHOUT_MIRROR = 0.5;
 
     private final transient ViewerModel scenes;
-    private final transient Consumer<String> problem;
+    private final StatusLine status;
     private final transient Map<String, PatchRequest> loadedPatches = new HashMap<>();
     private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.ALL.toArray(MethodChoice[]::new));
     public final JComboBox<Object> comparison = new JComboBox<>();
@@ -63,18 +64,20 @@ public final class ControlPanel extends JTabbedPane {
     // Weight of diffracted light of the last method with power relative to a mirror's peak; empty before another one.
     private OptionalDouble weightByMirror = OptionalDouble.empty();
     private boolean updating;
+    // Message about the last value that could not be used.
+    private String refusal = "";
     private double lastExposure = 1;
 
-    public ControlPanel(ViewerModel scenes, Consumer<String> problem) {
+    ControlPanel(ViewerModel scenes, StatusLine status) {
         this.scenes = scenes;
-        this.problem = problem;
+        this.status = status;
         NameBox patch = new NameBox(BuiltInPatches.names());
         patchCaption = colorTab.row(PatchSettings.PATCH, patch, "Load others with Ctrl+L or by dropping a file.");
         patchTip = patchCaption.getToolTipText();
         patchCaption.addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent event) {
-                problem.accept(String.join("\n", remarks));
+                status.message(String.join("\n", remarks));
             }
         });
         SettingRows.onChoice(
@@ -89,7 +92,7 @@ public final class ControlPanel extends JTabbedPane {
         colorTab.row(
                 "Beside it",
                 comparison,
-                "Draws the same view by another method, to the right of a line that can be dragged.");
+                "Draws the same view by another method, to the right of a line that can be dragged. The thesis's preset shows CIE RGB primaries, whose white is bluish.");
         spacingCaption = colorTab.row(MethodSettings.SPACING, spacing, SettingRows.ENTER);
         spacing.addActionListener(event -> enterMethod());
         tolerance.setSelectedItem(MethodSettings.TOLERANCE.writtenStandard().orElseThrow());
@@ -99,7 +102,18 @@ public final class ControlPanel extends JTabbedPane {
         colorTab.slider(SceneSettings.ROTATE_PATCH, Scale.DEGREES, -180, 180);
         colorTab.text(SceneSettings.INDEX);
         colorTab.box(SceneSettings.ENERGY, SettingRows.words(SceneSettings.ENERGY), false);
-        colorTab.row(SceneSettings.EXPOSURE, automatic, "Automatic: chosen from the picture.");
+        JButton meter = new JButton("Meter");
+        meter.setName("meter");
+        meter.setToolTipText("Makes the exposure automatic and measures it under the present light.");
+        meter.addActionListener(event -> scenes.meter());
+        Box metering = Box.createHorizontalBox();
+        metering.add(automatic);
+        metering.add(Box.createHorizontalGlue());
+        metering.add(meter);
+        colorTab.row(
+                SceneSettings.EXPOSURE, metering, "Automatic: measured once, kept while light, model and camera move.");
+        automatic.setToolTipText(metering.getToolTipText());
+        automatic.setName(metering.getName());
         automatic.addActionListener(event -> enter(
                 SceneSettings.EXPOSURE,
                 SceneSettings.EXPOSURE
@@ -191,8 +205,10 @@ public final class ControlPanel extends JTabbedPane {
         }
         try {
             scenes.change(change);
+            status.withdraw(refusal);
         } catch (SettingException wrong) {
-            problem.accept(wrong.getMessage());
+            refusal = wrong.getMessage();
+            status.message(refusal);
             follow();
         }
     }

@@ -16,6 +16,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
@@ -150,7 +151,7 @@ public final class FileActions {
         JTextField width = field(form, PatchSettings.WIDTH, ", such as 65 um");
         JTextField maxHeight = field(form, PatchSettings.MAX_HEIGHT, ", such as 375 nm");
         String problem = "";
-        while (confirms(new Object[] {form, problem}, "Scale of " + file.getFileName(), JOptionPane.PLAIN_MESSAGE)) {
+        while (confirms(form, problem, width, "Scale of " + file.getFileName())) {
             try {
                 return Optional.of(named.parsed(PatchSettings.WIDTH, width.getText(), ControlOrigin.INSTANCE)
                         .parsed(PatchSettings.MAX_HEIGHT, maxHeight.getText(), ControlOrigin.INSTANCE));
@@ -164,6 +165,22 @@ public final class FileActions {
     private boolean confirms(Object question, String title, int type) {
         int answer = JOptionPane.showConfirmDialog(window, question, title, JOptionPane.OK_CANCEL_OPTION, type);
         return answer == JOptionPane.OK_OPTION;
+    }
+
+    /** Asks with the focus on a field, so that typing answers; Enter confirms. */
+    private boolean confirms(JPanel form, String problem, JTextField first, String title) {
+        JOptionPane pane =
+                new JOptionPane(new Object[] {form, problem}, JOptionPane.PLAIN_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
+                    @Override
+                    public void selectInitialValue() {
+                        super.selectInitialValue(); // makes OK the button of Enter
+                        first.requestFocusInWindow();
+                    }
+                };
+        JDialog dialog = pane.createDialog(window, title);
+        dialog.setVisible(true);
+        dialog.dispose();
+        return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue());
     }
 
     private static JTextField field(JPanel form, Setting<Double> setting, String example) {

@@ -80,6 +80,8 @@ public final class KeyControls {
         if (action.isSwitch()) {
             onOpening(menu, () -> item.setSelected(action.isOn(viewer)));
         }
+        // The key of a gray entry would do nothing, so entries are gray only in an open menu.
+        menu.addItemListener(event -> item.setEnabled(!menu.isSelected() || action.isAvailable(viewer)));
         return item;
     }
 

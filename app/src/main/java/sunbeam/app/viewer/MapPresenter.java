@@ -6,7 +6,6 @@ import java.util.Optional;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
-import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.MapView.GratingOrders;
 import sunbeam.app.viewer.loop.Stage.MapRequest;
@@ -25,8 +24,6 @@ final class MapPresenter {
     // Newest map, null if none is visible, and the displayed one.
     private MapRequest newest;
     private MapRequest displayed;
-    private Patch patch;
-    private Optional<GratingPeriod> period = Optional.empty();
 
     MapPresenter(Viewer viewer) {
         this.viewer = viewer;
@@ -40,7 +37,7 @@ final class MapPresenter {
             return;
         }
         Optional<SkinPoint> picked = viewer.inspector.point();
-        Scene scene = viewer.model.scene();
+        Scene scene = viewer.model.drawnScene();
         Vector3fc toLight = scene.light().towards();
         // In camera space: +x right, +y up, +z to the viewer.
         Vector3f seen = scene.view().camera().worldToCamera().transformDirection(toLight, new Vector3f());
@@ -50,10 +47,18 @@ final class MapPresenter {
             view.clear("the light is behind the skin here");
             return;
         }
-        newest = new MapRequest(
-                towards,
-                picked.map(point -> point.pick().object()).orElse(scene.current()),
-                picked.map(point -> point.pick().region()).orElse(0));
+        int object = picked.map(point -> point.pick().object()).orElse(scene.current());
+        int region = picked.map(point -> point.pick().region()).orElse(0);
+        Patch patch = viewer.model
+                .loaded()
+                .orElseThrow()
+                .ofPatch(object, region)
+                .get(0)
+                .patch();
+        if (displayed != null && displayed.patch() != patch) {
+            view.clear("");
+        }
+        newest = new MapRequest(towards, object, region, patch);
         view.newest(false);
         view.mark(
                 picked.map(point -> point.pick().wr()),
@@ -73,44 +78,23 @@ final class MapPresenter {
     }
 
     private void show(MapRequest request, BufferedImage image, boolean isFinal) {
+        if (newest != null && newest.patch() != request.patch()) {
+            return; // the map of a scan that another has replaced
+        }
         displayed = request;
         view.show(image);
         markOrders();
         if (isFinal && request == newest) {
             view.newest(true);
-            findPeriod();
         }
     }
 
-    private Optional<Patch> wantedPatch() {
-        return viewer.model.loaded().stream()
-                .flatMap(loaded -> loaded.ofPatch(displayed.object(), displayed.region()).stream())
-                .findFirst()
-                .map(SceneData::patch);
-    }
-
-    /** Searches the period of the map's patch in the background, which takes seconds for a scan. */
-    private void findPeriod() {
-        Patch wanted = wantedPatch().orElse(null);
-        if (wanted == null || wanted == patch) {
+    /** Marks the orders of the period, once it is known, on the displayed map. */
+    void markOrders() {
+        if (displayed == null) {
             return;
         }
-        patch = wanted;
-        period = Optional.empty();
-        viewer.measuring.run(
-                () -> GratingPeriod.of(wanted),
-                found -> {
-                    if (patch == wanted) {
-                        period = Optional.of(found);
-                        markOrders();
-                    }
-                },
-                viewer.window.status::message);
-    }
-
-    private void markOrders() {
-        Optional<GratingPeriod> known =
-                wantedPatch().filter(wanted -> wanted == patch).flatMap(wanted -> period);
+        Optional<GratingPeriod> known = viewer.periods.find(displayed.patch());
         List<GratingOrders> orders = known.filter(GratingPeriod::isSeen).stream()
                 .flatMap(found -> found.waves().stream())
                 .map(wave -> new GratingOrders(wave, displayed.light()))

@@ -126,12 +126,15 @@ public final class MapView extends JComponent {
         graphics.dispose();
     }
 
-    private static void paintAxes(Graphics2D graphics, Labels labels, int left, int side) {
+    /** Paints axes and circles of a map with this left edge and diameter; later labels do not lie on the axes. */
+    static void paintAxes(Graphics2D graphics, Labels labels, int left, int side) {
         double middle = left + 0.5 * side;
         graphics.setStroke(new BasicStroke(1f));
         graphics.setColor(AXES);
         graphics.draw(new Line2D.Double(left, 0.5 * side, left + side, 0.5 * side));
         graphics.draw(new Line2D.Double(middle, 0, middle, side));
+        labels.avoid(new Rectangle2D.Double(left, 0.5 * side - 1, side, 2));
+        labels.avoid(new Rectangle2D.Double(middle - 1, 0, 2, side));
         labels.paint("x", left + side, 0.5 * side);
         labels.paint("y", middle, 12);
         for (int theta = 30; theta < 90; theta += 30) {
@@ -164,6 +167,11 @@ public final class MapView extends JComponent {
         Labels(Graphics2D graphics, Rectangle2D bounds) {
             this.graphics = graphics;
             this.bounds = bounds;
+        }
+
+        /** Keeps labels out of a place, such as an axis. */
+        void avoid(Rectangle2D place) {
+            taken.add(place);
         }
 
         /** Paints a label beside a point: to the upper right, else upper left, lower right or lower left. Returns its place, or null. */

@@ -6,9 +6,9 @@ import java.util.List;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.viewer.ControlPanel.ControlOrigin;
-import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
@@ -23,8 +23,9 @@ public record MethodChoice(String label, Choices own) {
             .toList();
 
     /** Methods without color tables, which can be drawn beside the scene's own method. */
-    static final List<MethodChoice> COMPARED =
-            ALL.stream().filter(choice -> choice.type().equals(FullMethod.TYPE)).toList();
+    static final List<MethodChoice> COMPARED = ALL.stream()
+            .filter(choice -> !choice.type().equals(TableMethod.TYPE))
+            .toList();
 
     private static List<MethodChoice> forms(MethodType type) {
         Choices plain = Choices.at(ControlOrigin.INSTANCE).with(Methods.METHOD, type);

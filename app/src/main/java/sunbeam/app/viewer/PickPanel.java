@@ -22,7 +22,7 @@ public final class PickPanel extends JPanel {
     private final SpectrumPlot plot = new SpectrumPlot();
     /** One for each point that can be picked. */
     public final transient List<Readout> readouts = List.of(
-            new Readout("Double-click the skin to see its\nframe, angles, color and spectrum.", plot.curves.get(0)),
+            new Readout("Double-click the skin to see its frame, angles, color and spectrum.", plot.curves.get(0)),
             new Readout("", plot.curves.get(1)));
 
     private final JLabel difference = new JLabel(" ");
@@ -39,7 +39,11 @@ public final class PickPanel extends JPanel {
         add(colors);
         add(difference);
         add(plot);
-        readouts.forEach(readout -> add(readout.text));
+        readouts.forEach(readout -> {
+            add(readout.sentence);
+            add(readout.text);
+            readout.clear();
+        });
         for (var part : getComponents()) {
             ((JComponent) part).setAlignmentX(LEFT_ALIGNMENT);
         }
@@ -62,7 +66,9 @@ public final class PickPanel extends JPanel {
     public final class Readout {
         public final SpectrumPlot.Curve curve;
         private final String hint;
+        private final JTextArea sentence = new JTextArea();
         private final JTextArea text;
+        private String numbers = "";
         private final JLabel color = new JLabel(" ");
         private Color shown;
 
@@ -70,29 +76,38 @@ public final class PickPanel extends JPanel {
         Readout(String hint, SpectrumPlot.Curve curve) {
             this.hint = hint;
             this.curve = curve;
-            text = new JTextArea(hint, 8, 32);
-            text.setEditable(false);
-            text.setOpaque(false);
-            // Do not scroll to each new text.
-            ((DefaultCaret) text.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
+            text = new JTextArea();
+            for (JTextArea area : List.of(sentence, text)) {
+                area.setEditable(false);
+                area.setOpaque(false);
+                // Do not scroll to each new text.
+                ((DefaultCaret) area.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
+            }
+            sentence.setLineWrap(true);
+            sentence.setWrapStyleWord(true);
+            sentence.setName("sentence");
             text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 11));
-            text.setMaximumSize(new Dimension(Short.MAX_VALUE, text.getPreferredSize().height));
             text.setName("pick");
             text.setToolTipText("Vectors in world space, no unit; angles to the normal and around it in degrees");
             color.setPreferredSize(new Dimension(60, 22));
             color.setMaximumSize(new Dimension(Short.MAX_VALUE, 22));
             color.setToolTipText("Color on screen, sRGB 0 to 255");
-            follow();
         }
 
-        private void follow() {
-            text.setVisible(!text.getText().isEmpty());
-            color.setVisible(!text.getText().equals(hint));
+        /** Shows a sentence and a description, or of that only its last three lines, the angles; all of it is copied. */
+        public void show(String words, String description, boolean isBrief) {
+            numbers = description;
+            List<String> lines = description.lines().toList();
+            setText(sentence, words);
+            setText(text, String.join("\n", isBrief ? lines.subList(lines.size() - 3, lines.size()) : lines));
+            color.setVisible(true);
         }
 
-        public void show(String description) {
-            text.setText(description);
-            follow();
+        private static void setText(JTextArea area, String value) {
+            if (!area.getText().equals(value)) {
+                area.setText(value);
+            }
+            area.setVisible(!value.isEmpty());
         }
 
         public void showColor(int rgb) {
@@ -111,9 +126,11 @@ public final class PickPanel extends JPanel {
         }
 
         String numbers() {
-            return !text.getText().equals(hint)
-                    ? (text.getText() + "\n" + color.getText().strip()).strip() + "\n"
-                    : "";
+            return numbers.isEmpty()
+                    ? ""
+                    : (sentence.getText() + "\n" + numbers + "\n"
+                                            + color.getText().strip())
+                                    .strip() + "\n";
         }
 
         /** Removes the color until the next final picture, and dims an old spectrum. */
@@ -126,7 +143,10 @@ public final class PickPanel extends JPanel {
         }
 
         public void clear() {
-            show(hint);
+            numbers = "";
+            setText(sentence, hint);
+            setText(text, "");
+            color.setVisible(false);
             outdate(false);
             curve.show(new double[0]);
         }

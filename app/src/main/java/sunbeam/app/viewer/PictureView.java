@@ -38,7 +38,7 @@ public final class PictureView extends JComponent {
     private transient Optional<LightCone> cone = Optional.empty();
     private transient Optional<BufferedImage> strokes = Optional.empty();
     private transient List<Optional<Point>> marks = List.of();
-    private boolean isHintShown = true;
+    boolean isHintShown = true;
     /** True while the light follows the mouse without a button. */
     boolean isLightHeld;
 

@@ -15,13 +15,18 @@ import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.PickPanel.Readout;
 import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.ColorName;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.reference.ExactLight;
 
 /** Inspector of one or two picked points: finds them, keeps them while the scene has the same mesh, and fills their panel. */
 public final class PointInspector {
+    private static final String NOTHING_PICKED = "nothing to copy: double-click the skin to pick a point";
+
     private final Viewer viewer;
     private final PictureView picture;
     private final PickPanel panel;
@@ -73,6 +78,7 @@ public final class PointInspector {
     public void pick(int x, int y, boolean isBeside) {
         locate(x, y, located -> {
             keepFirst(isBeside ? Math.min(1, picks.size()) : 0);
+            viewer.window.status.withdraw(NOTHING_PICKED);
             // The panel follows the object.
             located.filter(point -> point.staysIn(viewer.model.scene()))
                     .ifPresent(point ->
@@ -114,9 +120,31 @@ public final class PointInspector {
         mark();
     }
 
-    public void showAngles(Vector3fc towards) {
+    /** Describes the points under the newest light: a sentence and numbers. */
+    public void describe() {
+        Scene scene = viewer.model.drawnScene();
+        Vector3fc towards = scene.light().towards();
         for (Inspected pick : picks) {
-            pick.readout.show(pick.point.describe(towards, picture.pictureWidth(), picture.pictureHeight()));
+            double slopes = scene.at(pick.point.pick().object()).slopeDeviation();
+            double spread = PickSentence.LEAST_SPREAD + 4 * slopes + 2 * scene.deviation(scene.light());
+            List<SpatialFrequency> waves = viewer.model.loaded().stream()
+                    .flatMap(loaded -> loaded
+                            .ofPatch(
+                                    pick.point.pick().object(),
+                                    pick.point.pick().region())
+                            .stream())
+                    .findFirst()
+                    .flatMap(part -> viewer.periods.find(part.patch()))
+                    .filter(GratingPeriod::isSeen)
+                    .map(GratingPeriod::waves)
+                    .orElse(List.of());
+            String sentence = new PickSentence(
+                            pick.point.light(towards), pick.point.pick().wr(), waves, spread)
+                    .words(pick.readout.lab().map(ColorName::of));
+            pick.readout.show(
+                    sentence,
+                    pick.point.describe(towards, picture.pictureWidth(), picture.pictureHeight()),
+                    picks.size() > 1);
         }
     }
 
@@ -128,6 +156,7 @@ public final class PointInspector {
     /** Shows the points' colors in the final picture and requests their spectra for the scene's light. */
     public void measure() {
         viewer.model.loaded().ifPresent(loaded -> picks.forEach(pick -> measure(pick, loaded)));
+        describe();
     }
 
     private void measure(Inspected pick, LoadedScene loaded) {
@@ -182,7 +211,7 @@ public final class PointInspector {
 
     public void copy() {
         if (picks.isEmpty()) {
-            viewer.window.status.message("nothing to copy: double-click the skin to pick a point");
+            viewer.window.status.message(NOTHING_PICKED);
             return;
         }
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(panel.numbers()), null);

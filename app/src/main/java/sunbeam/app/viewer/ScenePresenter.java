@@ -8,12 +8,15 @@ import java.util.concurrent.CompletableFuture;
 import javax.swing.SwingUtilities;
 import jrtr.GraphicsException;
 import sunbeam.app.render.LineDrawings.LightCone;
+import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.patch.Patch;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
 @SuppressWarnings("ReferenceEquality") // compares requests and parts by identity
@@ -40,6 +43,8 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     private ViewState shown;
     private RenderLoop.Finished completed;
     private double loadedShare;
+    // Message about the last state that could not be drawn.
+    private String refusal = "";
 
     ScenePresenter(Viewer viewer, ViewerModel.Loading loading) {
         this.viewer = viewer;
@@ -103,7 +108,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     }
 
     void show() {
-        viewer.inspector.follow(model.scene());
+        viewer.inspector.follow(model.drawnScene());
         followLight();
         int width = window.picture.pictureWidth();
         int height = window.picture.pictureHeight();
@@ -111,7 +116,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             return;
         }
         map.follow(shows(Overlay.MAP));
-        ViewState next = new ViewState(model.loaded().get(), width, height, false);
+        ViewState next = new ViewState(model.loaded().get(), model.metering(), width, height, false);
         if (requested != null && next.showsThePictureOf(requested)) { // as after a pick or a refused load
             map.request(finished().isPresent());
             finished().ifPresent(whole -> followFinal());
@@ -147,8 +152,8 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     }
 
     private void followLight() {
-        window.picture.showCone(shows(Overlay.CONE) ? Optional.of(LightCone.of(model.scene())) : Optional.empty());
-        viewer.inspector.showAngles(model.scene().light().towards());
+        window.picture.showCone(shows(Overlay.CONE) ? Optional.of(LightCone.of(model.drawnScene())) : Optional.empty());
+        viewer.inspector.describe();
     }
 
     @Override
@@ -200,6 +205,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             return;
         }
         requested = null;
+        refusal = message;
         window.status.message(message);
         window.status.refused();
         noPicture(message);
@@ -264,6 +270,21 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     private void followFinal() {
         viewer.files.writeWaiting();
         viewer.inspector.measure();
+        SceneData.ofRegions(completed.state().scene().parts(), SceneData::patch).forEach(viewer.periods::search);
+        showPeriod();
+    }
+
+    /** Shows what the patch's period says, once it is known: the verdict, orders on the map, the picked points' sentences. */
+    void showPeriod() {
+        model.loaded().ifPresent(loaded -> {
+            Patch patch = loaded.firstPart().patch();
+            window.status.caption(viewer.periods
+                    .find(patch)
+                    .map(period -> Verdict.of(patch, period, 0, 0).sentence() + ".")
+                    .orElse(" "));
+        });
+        map.markOrders();
+        viewer.inspector.describe();
     }
 
     private void show(ViewState state, BufferedImage image) {
@@ -272,6 +293,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             window.status.method(state.firstPart(), renderer);
         }
         shown = state;
+        window.status.withdraw(refusal);
         followLoad();
         window.picture.showPicture(image, state.width(), state.height());
     }

@@ -160,7 +160,7 @@ public final class SpectrumPlot extends JComponent {
                 paintCurve(graphics, bottom, most, curve);
             }
             graphics.setColor(getForeground());
-            graphics.drawString(Text.format("%.2g", most), 0, 10);
+            graphics.drawString(Text.format("%.2g of a mirror's light", most), 0, 10);
             paintPointed(graphics, bottom);
         }
         if (curves.stream().anyMatch(curve -> curve.isAwaited)) {

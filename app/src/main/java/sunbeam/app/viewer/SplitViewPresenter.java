@@ -11,6 +11,7 @@ import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.precompute.color.DisplayTransform.Primaries;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 
@@ -68,7 +69,7 @@ final class SplitViewPresenter {
                         == shown.firstPart().shape().whole()
                 && loaded.firstPart().suits(scene)) {
             loaded = loaded.with(scene);
-            requested = new ViewState(loaded, shown.width(), shown.height(), true);
+            requested = new ViewState(loaded, shown.metering(), shown.width(), shown.height(), true);
             divider.show(null, words(shown), words(requested) + ", being drawn", false);
             viewer.loop.show(requested);
             return;
@@ -92,7 +93,9 @@ final class SplitViewPresenter {
     }
 
     private static String words(ViewState state) {
-        return MethodChoice.of(state.firstPart().scene()).toString();
+        Scene scene = state.firstPart().scene();
+        boolean isSrgb = scene.display(1).primaries() == Primaries.SRGB;
+        return MethodChoice.of(scene) + (isSrgb ? "" : " (primaries: CIE RGB)");
     }
 
     void refused(String problem) {

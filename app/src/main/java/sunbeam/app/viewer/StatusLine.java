@@ -25,6 +25,7 @@ public final class StatusLine extends JPanel {
 
     private final JLabel picture = new JLabel("Loading");
     private final JLabel method = new JLabel(" ", SwingConstants.TRAILING);
+    private final JLabel caption = new JLabel(" ");
     final JTextArea message = new JTextArea();
     // Frames since the last text about a moving picture; time of that text, 0 while nothing moves; frame rate as text.
     private int frames;
@@ -58,8 +59,16 @@ public final class StatusLine extends JPanel {
             }
         });
         message("");
+        caption.setName("caption");
+        add(caption, BorderLayout.NORTH);
         add(picture);
         add(method, BorderLayout.EAST);
+    }
+
+    /** Shows what the surface is like, in a sentence; a blank keeps the line's height. */
+    void caption(String sentence) {
+        caption.setText(sentence);
+        caption.setToolTipText(sentence.isBlank() ? null : sentence);
     }
 
     /** @param moves true if the picture's state is newer than that of the last one */
@@ -162,5 +171,12 @@ public final class StatusLine extends JPanel {
     final void message(String text) {
         message.setText(text);
         message.setVisible(!text.isBlank());
+    }
+
+    /** Removes a message whose cause is gone, unless another has replaced it. */
+    void withdraw(String text) {
+        if (message.getText().equals(text)) {
+            message("");
+        }
     }
 }

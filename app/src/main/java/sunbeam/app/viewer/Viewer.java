@@ -54,6 +54,7 @@ public final class Viewer {
     final FileActions files;
     final PointInspector inspector;
     final ScenePresenter presenter;
+    final PatchPeriods periods = new PatchPeriods(this);
     final Player player;
     final StartJournal journal;
     final Background loading = new Background("loading");
@@ -225,6 +226,7 @@ public final class Viewer {
         writing.finish();
         inspector.stop();
         measuring.close();
+        periods.close();
         presenter.noPicture("the window was closed");
         closed.countDown();
     }

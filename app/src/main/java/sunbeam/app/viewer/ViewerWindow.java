@@ -36,18 +36,18 @@ public final class ViewerWindow extends JFrame {
             .toArray(Color[]::new);
     private static final float[] ICON_RADII = {0, 0.2f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f, 0.9f, 1};
 
+    final StatusLine status = new StatusLine();
     final ControlPanel controls;
     final PictureView picture = new PictureView();
     final MapView map = new MapView();
     final PickPanel pick = new PickPanel();
-    final StatusLine status = new StatusLine();
     final JComponent panel;
     // True until the user shows or hides the panel.
     private boolean panelFollowsWidth = true;
 
     ViewerWindow(String title, ViewerModel model) {
         super(title);
-        controls = new ControlPanel(model, status::message);
+        controls = new ControlPanel(model, status);
         Box below = Box.createVerticalBox();
         below.setBorder(BorderFactory.createEmptyBorder(8, 12, 8, 12));
         below.add(map);
@@ -73,7 +73,8 @@ public final class ViewerWindow extends JFrame {
         setIconImages(Stream.of(16, 24, 32, 48, 64, 128).map(ViewerWindow::icon).toList());
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.min(1180, screen.width), Math.min(880, screen.height));
-        setLocationByPlatform(true);
+        // Under window managers that place windows themselves Java may not learn where: menus would open elsewhere.
+        setLocationRelativeTo(null);
         panel.setVisible(getWidth() >= NARROW);
         addComponentListener(new ComponentAdapter() {
             @Override
@@ -101,6 +102,7 @@ public final class ViewerWindow extends JFrame {
         picture.setPreferredSize(size);
         panel.setVisible(size.width + panel.getPreferredSize().width >= NARROW);
         pack();
+        setLocationRelativeTo(null);
     }
 
     public void showPanel(boolean shown) {

@@ -71,6 +71,15 @@ class BuiltInScenesTest extends InAScene {
         assertThat(warnings).noneMatch(line -> line.contains("table of colors errs"));
     }
 
+    @Test
+    void theExposureUnderALightIsAtMostAFactorOfTwoOffThatUnderItsNeighbors() {
+        double[] neighbors = {4, 0.9, 0.5, 1.6};
+        double middle = Math.sqrt(0.9 * 1.6);
+        assertThat(PartSum.bounded(0.05, neighbors)).as("a glare").isCloseTo(middle / 2, within(1e-12));
+        assertThat(PartSum.bounded(20, neighbors)).as("darkness").isCloseTo(middle * 2, within(1e-12));
+        assertThat(PartSum.bounded(0.7, neighbors)).as("as composed").isEqualTo(0.7);
+    }
+
     private void assertDrawnInColors(List<String> names) throws IOException {
         // No cache: tables of gigabytes would be written and read again.
         Path noFolder = Files.createFile(folder.resolve("file"));

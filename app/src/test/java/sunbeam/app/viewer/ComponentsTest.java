@@ -112,6 +112,26 @@ class ComponentsTest {
                 .isNotNull();
     }
 
+    @Test
+    void labelsDoNotLieOnTheAxes() {
+        Graphics2D graphics = new BufferedImage(200, 200, BufferedImage.TYPE_INT_RGB).createGraphics();
+        MapView.Labels labels = new MapView.Labels(graphics, new Rectangle(200, 200));
+        MapView.paintAxes(graphics, labels, 0, 200);
+        Random random = new Random(6);
+        int count = 0;
+        for (int i = 0; i < 200; i++) {
+            double along = 200 * random.nextDouble();
+            double beside = 96 + 8 * random.nextDouble();
+            Rectangle2D place = i % 2 == 0 ? labels.paint("+1", along, beside) : labels.paint("+1", beside, along);
+            if (place != null) {
+                assertThat(place.intersectsLine(0, 100, 200, 100)).as("x axis").isFalse();
+                assertThat(place.intersectsLine(100, 0, 100, 200)).as("y axis").isFalse();
+                count++;
+            }
+        }
+        assertThat(count).isGreaterThan(10);
+    }
+
     // Rounding of double precision.
     private static final double ROUNDING = 1e-12;
 

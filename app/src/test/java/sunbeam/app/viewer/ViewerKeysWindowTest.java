@@ -15,6 +15,7 @@ import java.util.function.Predicate;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Tag;
@@ -22,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
 @Tag("window")
@@ -89,6 +91,47 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         awaitScene(scene -> scene.get(SceneSettings.ROTATE_PATCH) == 1);
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
         awaitScene(scene -> scene.equals(scene()));
+    }
+
+    @Test
+    void undoIsGrayInAnOpenMenuUnlessSomethingHasChanged() throws Exception {
+        assertThat(isUndoEnabled(true)).isFalse();
+        assertThat(isUndoEnabled(false)).as("its key").isTrue();
+        press(KeyEvent.VK_RIGHT);
+        awaitScene(scene -> !scene.equals(scene()));
+        assertThat(isUndoEnabled(true)).isTrue();
+        isUndoEnabled(false);
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+        awaitScene(scene -> scene.equals(scene()));
+    }
+
+    private boolean isUndoEnabled(boolean isMenuOpen) throws Exception {
+        return onEvents(() -> {
+            JMenu edit = viewer.window.getJMenuBar().getMenu(2);
+            edit.setSelected(isMenuOpen);
+            return edit.getItem(0).isEnabled();
+        });
+    }
+
+    @Test
+    void aMessageGoesWithItsCause() throws Exception {
+        enterCoherence("15");
+        assertThat(message()).contains("has no unit");
+        enterCoherence("14 um");
+        assertThat(message()).isBlank();
+        awaitFinal();
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
+        await(() -> message().startsWith("nothing to copy"));
+        doubleClick();
+        assertThat(message()).isBlank();
+    }
+
+    private void enterCoherence(String text) throws Exception {
+        onEvents(() -> {
+            JTextField field = control(MethodSettings.COHERENCE_LENGTH.key(), JTextField.class);
+            field.setText(text);
+            field.postActionEvent();
+        });
     }
 
     @Test

@@ -116,6 +116,15 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         Dialogs.answer("Scale of waves.png", "Cancel");
         assertThat(modelScene()).isEqualTo(scene());
         SwingUtilities.invokeLater(() -> viewer.files.loadPatch(file));
+        JDialog asking = Dialogs.await("Scale of waves.png");
+        awaitOnEvents(() ->
+                asking.getFocusOwner() == Dialogs.all(asking, JTextField.class).get(0));
+        robot.keyPress(KeyEvent.VK_2);
+        robot.keyRelease(KeyEvent.VK_2);
+        robot.keyPress(KeyEvent.VK_SPACE); // would press a button
+        robot.keyRelease(KeyEvent.VK_SPACE);
+        awaitOnEvents(
+                () -> Dialogs.all(asking, JTextField.class).get(0).getText().equals("2 "));
         Dialogs.type("Scale of waves.png", "2 um", "300");
         Dialogs.answer("Scale of waves.png", "OK");
         JDialog again = Dialogs.await("Scale of waves.png");
@@ -172,6 +181,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         await(() -> loaded().suits(modelScene()));
         drag(InputEvent.BUTTON1_DOWN_MASK);
         drag(InputEvent.BUTTON3_DOWN_MASK);
+        onEvents(() -> viewer.model.meter()); // as a scene that is opened is
         awaitFinal();
         BufferedImage saved = picture();
         Scene scene = modelScene();

@@ -58,6 +58,19 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         Vector3fc light = scene().light().towards();
         assertThat(pick.wi().z()).isCloseTo(light.dot(outwards), within(1e-3));
         assertTheNumbersFitAWindowThatIsJustOpened();
+        pickBeside();
+        assertTheNumbersFitAWindowThatIsJustOpened();
+    }
+
+    private void pickBeside() throws Exception {
+        middle(-80);
+        click(1);
+        middle(24);
+        robot.keyPress(KeyEvent.VK_SHIFT);
+        click(2);
+        robot.keyRelease(KeyEvent.VK_SHIFT);
+        awaitOnEvents(() -> viewer.inspector.points().size() == 2);
+        awaitFinal();
     }
 
     private void assertTheNumbersFitAWindowThatIsJustOpened() throws Exception {
@@ -65,10 +78,13 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
             viewer.presenter.toggle(Overlay.MAP);
             viewer.window.setSize(1180, 880);
             viewer.window.validate();
+            assertThat(viewer.window.map.isVisible()).isTrue();
             JComponent panel = viewer.window.pick;
             assertThat(panel.getVisibleRect().getSize())
                     .as("what is seen without scrolling")
                     .isEqualTo(panel.getSize());
+            viewer.window.setSize(620, 420);
+            viewer.presenter.toggle(Overlay.MAP);
         });
     }
 
@@ -146,12 +162,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
 
     private void assertASecondPointStandsBesideTheFirst() throws Exception {
         SkinPoint first = onEvents(() -> viewer.inspector.point().orElseThrow());
-        middle(-80);
-        click(1);
-        middle(24);
-        robot.keyPress(KeyEvent.VK_SHIFT);
-        click(2);
-        robot.keyRelease(KeyEvent.VK_SHIFT);
+        pickBeside();
         await(() -> curvePixels(SECOND_CURVE) > 20 && curvePixels(CURVE) > 100);
         assertThat(onEvents(() -> viewer.inspector.points()))
                 .hasSize(2)
@@ -190,15 +201,20 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
                 .as("what is said covers nothing of the status line")
                 .isZero();
         String copied = copied();
-        assertThat(copied).startsWith(text).contains("sRGB ", "diffracted XYZ, D65");
+        assertThat(copied).contains(text, "sRGB ", "diffracted XYZ, D65");
+        String sentence = onEvents(() -> Dialogs.find(
+                        viewer.window.pick, JTextArea.class, area -> "sentence".equals(area.getName()))
+                .getText());
+        assertThat(copied).startsWith(sentence);
+        assertThat(sentence).matches("(?s)[a-z ]+(, .* order of [0-9.]+ um|, the mirror's direction)?; light at .*");
         assertThat(copied.lines().filter(line -> line.matches("[0-9]{3}\t.*")))
                 .as("380 to 780 nm in steps of 5")
                 .hasSize(81);
     }
 
     private String panelText() throws Exception {
-        return onEvents(
-                () -> Dialogs.all(viewer.window.pick, JTextArea.class).get(0).getText());
+        return onEvents(() -> Dialogs.find(viewer.window.pick, JTextArea.class, area -> "pick".equals(area.getName()))
+                .getText());
     }
 
     private void awaitColor(int rgb) throws Exception {

@@ -42,7 +42,11 @@ final class ViewerWindowTest extends ViewerInAWindow {
         drag(InputEvent.BUTTON3_DOWN_MASK);
         awaitFinal();
         BufferedImage after = picture();
-        assertThat(different(after, rendered("after"), false)).isZero();
+        // The viewer keeps the exposure of the first picture, as an animation does.
+        double kept = onEvents(
+                () -> viewer.presenter.finished().orElseThrow().picture().exposure());
+        Scene exposed = modelScene().with(SceneSettings.EXPOSURE, OptionalDouble.of(kept));
+        assertThat(different(after, rendered("after", exposed), false)).isZero();
         assertThat(shownPixels(before))
                 .as("pixels of the model")
                 .isBetween(100, before.getWidth() * before.getHeight() - 100);
@@ -87,6 +91,9 @@ final class ViewerWindowTest extends ViewerInAWindow {
         Viewer narrow = Viewer.open(scene(), environment(), line -> {}, new Dimension(480, 320));
         onEvents(() -> {
             assertThat(narrow.window.panel.isVisible()).isFalse();
+            assertThat(narrow.window.picture.isHintShown).isTrue();
+            Action.STROKES.run(narrow, null);
+            assertThat(narrow.window.picture.isHintShown).as("after a key").isFalse();
             assertThat(narrow.window.picture.getSize()).isEqualTo(new Dimension(480, 320));
             narrow.window.setSize(700, 500);
         });

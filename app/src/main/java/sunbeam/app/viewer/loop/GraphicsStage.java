@@ -3,14 +3,12 @@ package sunbeam.app.viewer.loop;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.VirtualTexture;
-import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.render.LineDrawings;
 import sunbeam.app.render.Pick;
 import sunbeam.app.render.PixelPicture;
@@ -42,7 +40,6 @@ public final class GraphicsStage implements Stage {
     private final StageSessions other = new StageSessions(context);
     private StageSessions current = own;
     private int stride;
-    private OptionalDouble metered = OptionalDouble.empty();
     private ViewState state;
     private boolean isMoving;
 
@@ -53,7 +50,12 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public BufferedImage body(Scene scene, SceneShape shape, int width, int height) {
-        return own.open(scene, shape).body(scene, width, height, exposureOfWhite(scene));
+        SceneSession session = own.open(scene, shape);
+        double exposure = exposures.soFar(scene, 0, false);
+        BufferedImage image = session.body(scene, width, height, exposure);
+        return exposures.storeFirst(scene, 0, false, () -> CachedExposure.luminance(image, scene, exposure))
+                ? session.body(scene, width, height, exposures.soFar(scene, 0, false))
+                : image;
     }
 
     @Override
@@ -61,7 +63,6 @@ public final class GraphicsStage implements Stage {
         StageSessions sessions = next.isOther() ? other : own;
         sessions.update(next.scene().parts());
         current = sessions;
-        metered = OptionalDouble.empty();
         state = next;
         current.colors().forEach(colors -> colors.bakeOn(baking, arrived));
     }
@@ -148,43 +149,35 @@ public final class GraphicsStage implements Stage {
         if (!isByTable() || !hasCoarsest()) {
             return Optional.empty();
         }
-        boolean isFirst = metered.isEmpty();
-        meter(() -> false);
-        Preview preview = byTable(1);
-        if (isFirst) {
-            exposures.storeOnScreen(state.firstPart(), preview.image(), preview.exposure());
-        }
-        return Optional.of(preview);
+        return Optional.of(byTable(1));
     }
 
     private Preview byTable(double divisor) {
-        if (hasCoarsest() && exposures.known(state.firstPart()).isEmpty()) {
+        if (hasCoarsest()) {
             meter(() -> false);
         }
-        double exposure = exposureSoFar();
+        double exposure = exposureSoFar(hasCoarsest());
         BufferedImage image = current.parts.get(0).moving(state.width(), state.height(), divisor, exposure);
-        if (isMoving) {
-            exposures.follow(state.firstPart(), image, exposure);
+        if (!hasCoarsest()
+                && exposures.storeFirst(
+                        scene(), state.metering(), false, () -> CachedExposure.luminance(image, scene(), exposure))) {
+            return byTable(divisor);
         }
         return new Preview(image, divisor, hasCoarsest(), exposure, 0);
     }
 
+    /** Meters the scene unless its exposure is known; returns false if interrupted. */
     private boolean meter(BooleanSupplier interrupted) {
-        if (metered.isEmpty()) {
-            metered = current.sum().exposure(scene(), state.width(), state.height(), current.tiles, interrupted);
-            metered.ifPresent(exposure -> exposures.store(state.firstPart(), exposure));
+        if (exposures.known(scene(), state.metering()).isEmpty()) {
+            current.sum()
+                    .exposure(scene(), state.width(), state.height(), current.tiles, interrupted)
+                    .ifPresent(exposure -> exposures.store(scene(), state.metering(), exposure));
         }
-        return metered.isPresent();
+        return exposures.known(scene(), state.metering()).isPresent();
     }
 
-    /** Before the first metering, a white body that faces the light is displayed as white, as built-in scenes always do. */
-    private double exposureSoFar() {
-        return exposures.known(state.firstPart()).orElseGet(() -> exposureOfWhite(scene()));
-    }
-
-    private static double exposureOfWhite(Scene scene) {
-        double intensity = scene.light().intensity();
-        return scene.get(SceneSettings.EXPOSURE).orElse(intensity > 0 ? 1 / intensity : 1);
+    private double exposureSoFar(boolean hasColors) {
+        return exposures.soFar(scene(), state.metering(), hasColors);
     }
 
     @Override
@@ -198,15 +191,16 @@ public final class GraphicsStage implements Stage {
 
     /** Draws the body in full resolution and the diffracted light from one sample per {@link #stride} columns and rows. */
     private Optional<Preview> coarse(BooleanSupplier interrupted) {
-        double white = 1 / exposureSoFar();
+        double white = 1 / exposureSoFar(true);
         return current.sum()
                 .coarse(scene(), state.width(), state.height(), stride, white, current.tiles, interrupted)
                 .map(picture -> {
-                    double exposure = exposures
-                            .known(state.firstPart())
-                            .orElseGet(() -> exposures.store(
-                                    state.firstPart(),
-                                    LinearPicture.exposure(picture.reduced(1).linear())));
+                    exposures.storeFirst(
+                            scene(),
+                            state.metering(),
+                            true,
+                            () -> picture.reduced(1).linear());
+                    double exposure = exposureSoFar(true);
                     double side = samples().side();
                     double seconds = side * side * state.width() * state.height() * current.tiles.secondsPerPixel();
                     BufferedImage image = PixelPicture.image(
@@ -223,7 +217,7 @@ public final class GraphicsStage implements Stage {
         int width = state.width();
         int height = state.height();
         PixelSamples samples = samples();
-        double exposure = metered.getAsDouble();
+        double exposure = exposureSoFar(true);
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();
         boolean isWhole = current.tiles.draw(SceneSession.tiles(width, height, samples.side()), interrupted, tile -> {
@@ -259,6 +253,7 @@ public final class GraphicsStage implements Stage {
     }
 
     @Override
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their patches
     public void map(
             MapRequest request,
             boolean isFinal,
@@ -266,7 +261,8 @@ public final class GraphicsStage implements Stage {
             BiConsumer<BufferedImage, Boolean> drawn) {
         map.cancel();
         List<SceneSession> parts = own.parts.stream()
-                .filter(part -> part.data().draws(request.object(), request.region()))
+                .filter(part -> part.data().draws(request.object(), request.region())
+                        && part.data().patch() == request.patch())
                 .toList();
         if (parts.isEmpty()) {
             return;

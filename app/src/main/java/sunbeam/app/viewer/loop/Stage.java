@@ -11,11 +11,16 @@ import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.Patch;
 
 /** Renderer of viewer states in several qualities, driven by {@link RenderLoop}. Used by the render thread only. */
 public interface Stage extends AutoCloseable {
-    /** Description of the picture that the window shows, by the scene's own method or by the comparison method. */
-    record ViewState(LoadedScene scene, int width, int height, boolean isOther) {
+    /**
+     * Description of the picture that the window shows, by the scene's own method or by the comparison method.
+     *
+     * @param metering number of times that the user had the exposure metered anew
+     */
+    record ViewState(LoadedScene scene, int metering, int width, int height, boolean isOther) {
         public SceneData firstPart() {
             return scene.firstPart();
         }
@@ -24,6 +29,7 @@ public interface Stage extends AutoCloseable {
         public boolean showsThePictureOf(ViewState other) {
             return isOther == other.isOther
                     && firstPart() == other.firstPart()
+                    && metering == other.metering
                     && width == other.width
                     && height == other.height;
         }
@@ -35,8 +41,9 @@ public interface Stage extends AutoCloseable {
      * @param light direction to the light, tangent frame
      * @param object index of the object among the scene's objects
      * @param region index of the map's patch among the object's patches
+     * @param patch the map's patch; no map is drawn if the stage has another one by now
      */
-    record MapRequest(Direction light, int object, int region) {}
+    record MapRequest(Direction light, int object, int region, Patch patch) {}
 
     /**
      * Picture in less than final quality.

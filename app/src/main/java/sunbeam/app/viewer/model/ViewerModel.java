@@ -2,13 +2,17 @@ package sunbeam.app.viewer.model;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.DoubleConsumer;
 import java.util.function.UnaryOperator;
 import javax.swing.SwingUtilities;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneSharing;
+import sunbeam.precompute.setting.Choices;
 
 /**
  * Model of the viewer: the scene that the user sees and changes. Used on the event thread only. Changes that need loading are loaded in the
@@ -37,6 +41,7 @@ public final class ViewerModel {
     private LoadedScene loaded;
     private final AtomicLong newestLoad = new AtomicLong();
     private Optional<Opening> opening = Optional.empty();
+    private int metering;
     private final History history = new History();
 
     /** @param before the scene that comes back if the load of this number fails */
@@ -54,6 +59,11 @@ public final class ViewerModel {
 
     public Scene scene() {
         return wanted;
+    }
+
+    /** Returns the scene that is drawn: that of the loaded parts, which may be older than {@link #scene}; without any, the newest. */
+    public Scene drawnScene() {
+        return loaded == null ? wanted : loaded.firstPart().scene();
     }
 
     public Optional<LoadedScene> loaded() {
@@ -74,13 +84,34 @@ public final class ViewerModel {
     private void set(Scene next, boolean mustLoad) {
         boolean loads = mustLoad || loaded == null || !SceneSharing.sharesParts(next, wanted);
         wanted = next;
-        if (loaded != null) {
+        // The old parts follow drags while others load, but are not drawn with the view or the weights of another
+        // scene.
+        if (loaded != null && opening.isEmpty() && (loaded.firstPart().suits(next) || hasOldWeights(next))) {
             loaded = loaded.with(SceneSharing.withPartsOf(loaded.firstPart().scene(), next));
         }
         if (loads) {
             load();
         }
         listener.changed();
+    }
+
+    /** Returns the number of times that a scene was opened or {@link #meter} called; automatic exposure is kept until it increases. */
+    public int metering() {
+        return metering;
+    }
+
+    /** Makes the exposure automatic and has it metered anew. */
+    public void meter() {
+        metering++;
+        change(scene -> scene.with(SceneSettings.EXPOSURE, OptionalDouble.empty()));
+    }
+
+    private boolean hasOldWeights(Scene next) {
+        return weights(loaded.firstPart().scene()).equals(weights(next));
+    }
+
+    private static List<Choices> weights(Scene scene) {
+        return scene.perObject().stream().map(Scene::weights).toList();
     }
 
     /** Opens a scene; if any part of it cannot be loaded, the previous scene comes back. */
@@ -91,6 +122,14 @@ public final class ViewerModel {
 
     public void setDragging(boolean drags) {
         history.setDragging(drags);
+    }
+
+    public boolean canUndo() {
+        return History.leads(history.before, wanted);
+    }
+
+    public boolean canRedo() {
+        return History.leads(history.undone, wanted);
     }
 
     public void undo() {
@@ -131,14 +170,15 @@ public final class ViewerModel {
                 message -> refuse(number, message));
     }
 
-    /** Shows a load; even an outdated one is shown until the newer one is ready. */
+    /** Shows a load; even an outdated one is shown until the newer one is ready, unless that opens another scene. */
     private void accept(long number, LoadedScene result) {
-        if (result == null) {
+        if (result == null || opening.filter(later -> later.load() > number).isPresent()) {
             return;
         }
         loaded = result.with(SceneSharing.withPartsOf(result.firstPart().scene(), wanted));
         opening.filter(done -> done.load() <= number).ifPresent(done -> {
             opening = Optional.empty();
+            metering++;
             done.opened().run();
         });
         listener.changed();
@@ -199,6 +239,11 @@ public final class ViewerModel {
             isOpen = false;
             changed(from, to);
             isOpen = false;
+        }
+
+        /** True if any of these scenes is another one than the present. */
+        static boolean leads(Deque<Scene> scenes, Scene now) {
+            return scenes.stream().anyMatch(scene -> !scene.equals(now));
         }
 
         Optional<Scene> undo(Scene now) {

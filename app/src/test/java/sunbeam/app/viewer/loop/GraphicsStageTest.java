@@ -1,13 +1,11 @@
 package sunbeam.app.viewer.loop;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -15,9 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.render.InAScene;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -26,12 +22,11 @@ import sunbeam.app.viewer.loop.Stage.MapRequest;
 import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.loop.StageSessions.FrameScale;
 import sunbeam.app.viewer.model.LoadedScene;
-import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 
 /** Pictures of one state, from the first preview to the final one; size and exposure of moving ones. */
@@ -68,28 +63,33 @@ class GraphicsStageTest {
 
     @Test
     @NeedsDisplay
-    void aPreviewOfTheMapIsNotDrawnAgainForTheSameLight() throws InterruptedException {
+    void aPreviewOfTheMapIsNotDrawnAgainForTheSameLightNorForAnotherPatch() throws InterruptedException {
         List<Integer> drawn = new ArrayList<>();
         try (GraphicsStage stage = new GraphicsStage()) {
-            updateToCoarsest(stage);
+            Patch patch = updateToCoarsest(stage).firstPart().patch();
             stage.interactive(true);
             for (int theta : new int[] {0, 0, 30}) {
                 Thread.sleep(101); // they are drawn ten times a second at most
-                MapRequest request = new MapRequest(Direction.ofDegrees(theta, 0), 0, 0);
+                MapRequest request = new MapRequest(Direction.ofDegrees(theta, 0), 0, 0, patch);
                 stage.map(request, false, () -> false, (image, isFinal) -> drawn.add(theta));
             }
+            Thread.sleep(101);
+            Patch another = patch.named("another", "");
+            MapRequest request = new MapRequest(Direction.ofDegrees(60, 0), 0, 0, another);
+            stage.map(request, false, () -> false, (image, isFinal) -> drawn.add(60));
         }
         assertThat(drawn).containsExactly(0, 30);
     }
 
-    private void updateToCoarsest(GraphicsStage stage) throws InterruptedException {
+    private LoadedScene updateToCoarsest(GraphicsStage stage) throws InterruptedException {
         Scene scene = ViewerInAWindow.scene()
                 .with(Choices.none()
                         .with(Methods.METHOD, TableMethod.TYPE)
                         .with(SceneSettings.ROUGHNESS, Math.toRadians(2)));
         LoadedScene loaded = new LoadedScene(InAScene.parts(scene, folder));
-        stage.update(new ViewState(loaded, WIDTH, HEIGHT, false), () -> {});
+        stage.update(new ViewState(loaded, 0, WIDTH, HEIGHT, false), () -> {});
         await(stage, () -> stage.coarsestShare() == 1);
+        return loaded;
     }
 
     private static void await(GraphicsStage stage, BooleanSupplier done) throws InterruptedException {
@@ -135,35 +135,5 @@ class GraphicsStageTest {
             scale.frame(taken(12, 16, scale.divisor()));
         }
         assertThat(scale.divisor()).isEqualTo(1);
-    }
-
-    private static final int SIDE = 80;
-    private static final int BACKGROUND = 0x101418;
-
-    /** Returns a picture with grays of three decades on one half, nothing on the other. */
-    private static LinearPicture picture() {
-        SplittableRandom random = new SplittableRandom(7);
-        float[] xyz = new float[3 * SIDE * SIDE];
-        for (int i = 0; i < SIDE * SIDE; i++) {
-            double luminance = Math.pow(10, 3 * random.nextDouble() - 2);
-            xyz[3 * i] = i % 2 == 0 ? Float.NaN : (float) (0.95047 * luminance);
-            xyz[3 * i + 1] = i % 2 == 0 ? Float.NaN : (float) luminance;
-            xyz[3 * i + 2] = i % 2 == 0 ? Float.NaN : (float) (1.08883 * luminance);
-        }
-        return new LinearPicture(SIDE, SIDE, xyz);
-    }
-
-    @ParameterizedTest
-    @ValueSource(doubles = {0.02, 0.1, 0.3})
-    void itIsThatOfTheLightThatIsShown(double exposure) {
-        DisplayTransform display = new DisplayTransform(exposure, Tone.COMPRESS);
-        BufferedImage image = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_INT_RGB);
-        image.createGraphics().drawImage(picture().shown(display), 0, 0, null);
-        for (int i = 0; i < SIDE * SIDE; i += 2) {
-            image.setRGB(i % SIDE, Math.floorDiv(i, SIDE), BACKGROUND);
-        }
-        // Half a step of 8 bits is 2 % of the light of a pixel ten times as bright as white, which is compressed.
-        double exact = LinearPicture.exposure(picture());
-        assertThat(CachedExposure.onScreen(image, display, BACKGROUND)).isCloseTo(exact, within(0.02 * exact));
     }
 }

@@ -138,7 +138,8 @@ final class RenderLoopTest {
         }
 
         private void ask() {
-            asked = new ViewState(scenes.get(random.nextInt(scenes.size())), 8, 8, random.nextInt(3) == 0);
+            asked = new ViewState(
+                    scenes.get(random.nextInt(scenes.size())), random.nextInt(2), 8, 8, random.nextInt(3) == 0);
             isFinal = false;
             isRefused = false;
             loop.show(asked);
