@@ -1,6 +1,8 @@
 package sunbeam.app.cli;
 
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.nio.file.Path;
@@ -9,7 +11,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
@@ -25,6 +26,8 @@ import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.NmmMethod;
+import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
@@ -35,6 +38,7 @@ import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.spectrum.PeriodInterpolation;
 import sunbeam.precompute.text.Text;
 
 /** {@code sunbeam benchmark}: error of the methods, and their time as a ratio to that of the thesis's shader in the same run. */
@@ -88,6 +92,12 @@ public final class BenchmarkCommand extends FileCommand {
     private int samples;
 
     @Option(
+            names = "--complexity",
+            description = "Measure instead how the time of the thesis's methods grows with wavelengths, terms and bins,"
+                    + " and with samples and periods of the patch (thesis, section 3.5). Default patch: blaze.")
+    private boolean complexity;
+
+    @Option(
             names = "--output",
             paramLabel = "PAGE.md",
             description = "A page to write; plots (PNG) and numbers (CSV) go into a folder of the same name.")
@@ -106,15 +116,18 @@ public final class BenchmarkCommand extends FileCommand {
         if (output != null) {
             BenchmarkPage.checkWritable(output, overwrite());
         }
+        UsageException.throwIf(
+                complexity && !isMethodOpen(asked),
+                "--complexity measures the thesis's methods; leave out --method and the settings of methods");
         // All patches are read and checked first: measuring one takes minutes.
-        List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
+        List<String> standard = complexity ? PATCHES.subList(0, 1) : PATCHES;
+        List<Patch> patches = patchOptions.load(names.isEmpty() ? standard : names, asked);
         try (RenderContext context = RenderContext.offscreen()) {
             Meter meter = new Meter(context, size, light.direction());
             BenchmarkPage page = new BenchmarkPage(context.info().renderer(), light.describe(), size, samples);
             print(page.introduction());
             for (Patch patch : patches) {
-                List<String> remarks = new ArrayList<>();
-                print(page.add(methods(meter, patch, asked, remarks), remarks));
+                print(complexity ? growth(meter, page, patch) : methods(meter, page, patch, asked));
             }
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("renderer", context.info().renderer());
@@ -131,9 +144,9 @@ public final class BenchmarkCommand extends FileCommand {
     }
 
     /** Measures the thesis's shader, then the requested methods. If none is chosen, a failure of one becomes a remark. */
-    private List<Measurement> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
-        DiffractionSetup setup =
-                new DiffractionSetup(patch, environment(), err()).withLight(LightTable.of(methodOptions.choices()));
+    private String methods(Meter meter, BenchmarkPage page, Patch patch, Choices asked) {
+        DiffractionSetup setup = setup(patch);
+        List<String> remarks = new ArrayList<>();
         Map<String, Method> contenders = contenders(setup.limitToScan(asked, err()));
         Optional<Meter.ExactViews> views =
                 samples == 0 ? Optional.empty() : Optional.of(new Meter.ExactViews(setup, meter.light(), samples));
@@ -151,7 +164,25 @@ public final class BenchmarkCommand extends FileCommand {
                 progress.step(1);
             });
         }
-        return rows;
+        return page.addMethods(rows, remarks);
+    }
+
+    private String growth(Meter meter, BenchmarkPage page, Patch patch) {
+        CostGrowth growth = new CostGrowth(setup(patch), environment());
+        List<CostGrowth.Variant> variants = growth.variants();
+        try (Progress progress = environment().progress().start("Benchmark " + patch.name(), variants.size())) {
+            List<Measurement> rows = new ArrayList<>();
+            rows.add(meter.measure(growth.setup(), THESIS, FullMethod.thesis(), Optional.empty()));
+            for (CostGrowth.Variant variant : variants) {
+                rows.add(CostGrowth.measure(meter, variant));
+                progress.step(1);
+            }
+            return page.addGrowth(rows, CostGrowth.plot(variants, rows));
+        }
+    }
+
+    private DiffractionSetup setup(Patch patch) {
+        return new DiffractionSetup(patch, environment(), err()).withLight(LightTable.of(methodOptions.choices()));
     }
 
     /** True if the user has chosen neither a method nor a setting that only some methods have. */
@@ -161,8 +192,8 @@ public final class BenchmarkCommand extends FileCommand {
     }
 
     /**
-     * Returns, by name, the thesis's shader and the chosen method or, if none is chosen, all but the reference, {@code full} and
-     * {@code table} at several tolerances.
+     * Returns, by name, the thesis's shader and the chosen method or, if none is chosen, all but the reference: {@code full} and {@code table}
+     * at several tolerances, {@code nmm} and {@code pq} with the thesis's choices, too.
      */
     private static Map<String, Method> contenders(Choices choices) {
         Map<String, Method> all = new LinkedHashMap<>(Map.of(THESIS, FullMethod.thesis()));
@@ -171,14 +202,27 @@ public final class BenchmarkCommand extends FileCommand {
             return all;
         }
         for (MethodType type : Methods.ALL) {
-            List<Double> tolerances = choices.has(TOLERANCE) ? List.of() : TOLERANCES.getOrDefault(type, List.of());
-            Stream<Choices> variants = tolerances.isEmpty()
-                    ? Stream.of(choices)
-                    : tolerances.stream().map(tolerance -> choices.with(TOLERANCE, tolerance));
-            variants.filter(one -> !type.equals(ReferenceMethod.TYPE))
-                    .forEach(one -> all.put(name(one, type), type.create(one)));
+            if (!type.equals(ReferenceMethod.TYPE)) {
+                variants(type, choices).forEach(one -> all.put(name(one, type), type.create(one)));
+            }
         }
         return all;
+    }
+
+    private static List<Choices> variants(MethodType type, Choices choices) {
+        List<Double> tolerances = choices.has(TOLERANCE) ? List.of() : TOLERANCES.getOrDefault(type, List.of());
+        List<Choices> variants = new ArrayList<>();
+        tolerances.forEach(tolerance -> variants.add(choices.with(TOLERANCE, tolerance)));
+        if (variants.isEmpty()) {
+            variants.add(choices);
+        }
+        if (type.has(INTERPOLATION)) {
+            variants.add(choices.with(INTERPOLATION, PeriodInterpolation.LINEAR));
+        }
+        if (type.equals(NmmMethod.TYPE) || type.equals(PqMethod.TYPE)) {
+            variants.add(choices.without(TOLERANCE).with(PRESET, Preset.THESIS));
+        }
+        return variants;
     }
 
     private static String name(Choices choices, MethodType type) {
@@ -188,6 +232,9 @@ public final class BenchmarkCommand extends FileCommand {
         } else if (type.has(TOLERANCE)) {
             String tolerance = Text.format("%.1e", choices.get(TOLERANCE));
             name.append(", tolerance ").append(tolerance.replace(".0e", "e").replace("e-0", "e-"));
+        }
+        if (type.has(INTERPOLATION) && choices.has(INTERPOLATION)) {
+            name.append(", ").append(choices.written(INTERPOLATION));
         }
         if (type.has(AVERAGE) && choices.get(AVERAGE) == Average.ENSEMBLE) {
             name.append(", ensemble");

@@ -28,7 +28,8 @@ final class BenchmarkPage {
     private final List<Section> sections = new ArrayList<>();
     private final String introduction;
 
-    private record Section(String text, List<Measurement> rows) {}
+    /** Plot of a patch's rows, and the end of its file's name; null if nothing is to draw. */
+    private record Section(String text, List<Measurement> rows, Plot plot, String name) {}
 
     static void checkWritable(Path page, Overwrite overwrite) {
         String name = String.valueOf(page.getFileName());
@@ -81,14 +82,27 @@ final class BenchmarkPage {
                 .toList();
     }
 
-    String add(List<Measurement> rows, List<String> remarks) {
+    /** Returns the section's text; the first row is that of the thesis's shader. */
+    String addMethods(List<Measurement> rows, List<String> remarks) {
+        List<Measurement> drawn = rows.stream()
+                .filter(row -> Double.isFinite(row.errors().median()))
+                .toList();
+        return add(rows, rows, remarks, drawn.isEmpty() ? null : plot(drawn), "methods");
+    }
+
+    String addGrowth(List<Measurement> rows, Plot plot) {
+        return add(rows, List.of(), List.of(), plot, "complexity");
+    }
+
+    private String add(
+            List<Measurement> rows, List<Measurement> explained, List<String> remarks, Plot plot, String name) {
         Measurement thesis = rows.get(0);
         StringBuilder text = new StringBuilder(Text.format("%n## %s%n%n", thesis.patch()));
         text.append(table(rows.stream().map(row -> cells(row, thesis)).toList()));
         text.append(Text.format("%n%d covered pixels, wall clock around glFinish.%n%n", thesis.pixels()));
-        rows.forEach(row -> text.append("- " + row.method() + ": " + row.plan() + "\n"));
+        explained.forEach(row -> text.append("- " + row.method() + ": " + row.plan() + "\n"));
         remarks.forEach(remark -> text.append("\n" + remark + ".\n"));
-        sections.add(new Section(text.toString(), rows));
+        sections.add(new Section(text.toString(), rows, plot, name));
         return text.toString();
     }
 
@@ -147,15 +161,10 @@ final class BenchmarkPage {
         StringBuilder text = new StringBuilder(introduction);
         for (Section section : sections) {
             text.append(section.text());
-            List<Measurement> drawn = section.rows().stream()
-                    .filter(row -> Double.isFinite(row.errors().median()))
-                    .toList();
-            if (!drawn.isEmpty()) {
-                String patch = drawn.get(0).patch();
-                String file = patch + "-methods.png";
-                written.add(
-                        plot(patch, drawn).write(folder.resolve(file), overwrite, Map.of("Title", "error over time")));
-                text.append(Text.format("%n![error over time](%s/%s)%n", folder.getFileName(), file));
+            if (section.plot() != null) {
+                String file = section.rows().get(0).patch() + "-" + section.name() + ".png";
+                written.add(section.plot().write(folder.resolve(file), overwrite, Map.of("Title", section.name())));
+                text.append(Text.format("%n![%s](%s/%s)%n", section.name(), folder.getFileName(), file));
             }
         }
         written.add(AtomicFile.write(
@@ -165,7 +174,8 @@ final class BenchmarkPage {
         return written;
     }
 
-    private static Plot plot(String patch, List<Measurement> rows) {
+    private static Plot plot(List<Measurement> rows) {
+        String patch = rows.get(0).patch();
         Axis time = Axis.logarithmic("time per pixel / us");
         Axis error = Axis.logarithmic("relative error of XYZ (median)");
         Plot plot = new Plot(new Plot.Frame(patch + ": error over time", time, error, 900, 480));

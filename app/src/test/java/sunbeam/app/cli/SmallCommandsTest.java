@@ -179,11 +179,11 @@ final class SmallCommandsTest extends CommandLineFixture {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            plane --output a.stl                      | USAGE          | a.stl
-            snake --texture dark --output @worn.obj   | USAGE          | --texture dark needs a format with pictures
-            plane --scales keeled --output @worn.glb  | USAGE          | --scales keeled is for mesh snake
-            plane --mesh-unit mm --output @worn.glb   | UNUSABLE_INPUT | in meters
-            """)
+        plane --output a.stl                      | USAGE          | a.stl
+        snake --texture dark --output @worn.obj   | USAGE          | --texture dark needs a format with pictures
+        plane --scales keeled --output @worn.glb  | USAGE          | --scales keeled is for mesh snake
+        plane --mesh-unit mm --output @worn.glb   | UNUSABLE_INPUT | in meters
+        """)
     void whatAFormatOrAMeshDoesNotHaveIsRefused(String words, ExitCode code, String reason) {
         assertComplaint(code, "mesh " + words, reason);
     }
@@ -219,7 +219,16 @@ final class SmallCommandsTest extends CommandLineFixture {
 
         assertSuccess(sunbeam(words));
 
-        String[] rows = {"| full, thesis", "| full, tolerance 1e-1", "| table, tolerance 1e-1", "| nmm", "| pq", "| gem"
+        String[] rows = {
+            "| full, thesis",
+            "| full, tolerance 1e-1",
+            "| table, tolerance 1e-1",
+            "| nmm, tolerance 1e-1",
+            "| nmm, preset thesis",
+            "| pq, tolerance 1e-1 ",
+            "| pq, tolerance 1e-1, linear",
+            "| pq, preset thesis",
+            "| gem"
         };
         assertThat(page).content().contains("\n## lamellar\n", "(speed/lamellar-methods.png)");
         assertThat(page).content().contains(rows);
@@ -228,9 +237,27 @@ final class SmallCommandsTest extends CommandLineFixture {
                 .isNotNull();
         List<String> numbers = Files.readAllLines(folder.resolve("speed/benchmark.csv"));
         assertThat(numbers.get(0)).startsWith("patch,method,pixels,");
-        assertThat(numbers).hasSize(1 + 6);
-        assertThat(numbers.get(6)).as("a method without a scale has no error").contains(",0,NaN,NaN,NaN,");
+        assertThat(numbers).hasSize(1 + rows.length);
+        assertThat(numbers.get(rows.length))
+                .as("a method without a scale has no error")
+                .contains(",0,NaN,NaN,NaN,");
         assertThat(sunbeam(words)).as("an earlier benchmark's page stays").isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+    }
+
+    @Test
+    @NeedsDisplay
+    void complexityIsMeasuredOverEachQuantity() throws IOException {
+        Path page = folder.resolve("cost.md");
+
+        assertSuccess(sunbeam("benchmark --complexity --patch lamellar --size 16 --output " + page));
+
+        for (String series :
+                List.of("full: wavelengths", "full: terms", "full: bins", "full: samples", "nmm: periods")) {
+            assertThat(page).content().contains("| " + series + " x 1.00 ").contains("(cost/lamellar-complexity.png)");
+        }
+        assertThat(folder.resolve("cost/lamellar-complexity.png")).isNotEmptyFile();
+        assertThat(sunbeam("benchmark --complexity --method nmm")).isEqualTo(2);
+        assertThat(err.toString()).contains("--complexity", "leave out --method");
     }
 
     @Test
