@@ -1,15 +1,10 @@
 package sunbeam.precompute.analysis;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.apache.commons.math3.distribution.TDistribution;
-import sunbeam.precompute.analysis.HeightSpectrum.RepeatedPeriod;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
@@ -41,105 +36,30 @@ public record GratingPeriod(
         PROBABLE,
         /** Waves of about the same period run in all directions. */
         ALL_DIRECTIONS,
-        NONE,
-        TOO_LITTLE
+        TOO_LITTLE,
+        NONE
     }
 
     public static final double PROBABILITY = 0.95;
 
-    static final String GLOSS = "no order found: a white gloss without color";
-
     private static final double NANOMETERS_PER_METER = 1e9;
-    // Share of unmeasured rows; a crop may lose half of the scan.
-    private static final double FEW_UNMEASURED = 0.02;
-    // Meters: half of sunlight's coherence length. A larger patch may hold enough lines.
-    private static final double LARGEST_REPEATED = 32.5e-6;
     // Sine of 2 degrees.
-    static final double CONE = 0.035;
-    // Three periods of four samples.
-    private static final int FEWEST_SAMPLES = 12;
-    // Meters; three of the shortest periods with colors under light from above.
-    private static final double SHORTEST_SIDE = 3 * Verdict.VIOLET;
-    // Difference of alike periods: a scanner's axes differ in scale, too.
-    private static final double ALIKE = 0.05;
-    // Ratio of periods above which the longer one holds several lines.
-    private static final double MANY_LINES = 2.5;
+    static final double CONE = Hypothesis.CONE;
 
     public static GratingPeriod of(Patch patch) {
-        return of(patch, wave -> true, "");
+        return PatchPeriod.of(patch, Hypothesis.ANY);
     }
 
     /**
      * Returns the period of the strongest wave whose period, meters, lies within limits and whose azimuth, across the lines, is the given one if
-     * any, radians counter-clockwise from +x.
+     * any, radians counter-clockwise from +x. It is tested alone: only the waves that are asked for compete with it.
      */
     public static GratingPeriod among(Patch patch, OptionalDouble azimuth, double shortest, double longest) {
-        Predicate<SpatialFrequency> which = wave -> wave.period() >= shortest && wave.period() <= longest;
-        String range = longest < Double.POSITIVE_INFINITY
-                ? " with a period of " + Lengths.rounded(shortest, 3) + " to " + Lengths.rounded(longest, 3)
-                : "";
-        if (azimuth.isEmpty()) {
-            return of(patch, which, range);
-        }
-        double angle = azimuth.getAsDouble();
-        SpatialFrequency direction = new SpatialFrequency(Math.cos(angle), Math.sin(angle));
-        String where = " along azimuth " + Decimals.format(Math.rint(100 * Math.toDegrees(angle)) / 100) + " degrees";
-        return of(patch, which.and(wave -> wave.length() > 0 && wave.sineTo(direction) < CONE), range + where);
+        return PatchPeriod.of(patch, new Hypothesis(azimuth, shortest, longest));
     }
 
-    private static GratingPeriod of(Patch patch, Predicate<SpatialFrequency> which, String where) {
-        HeightMap scan = measured(patch.scan(), patch.faults());
-        GratingPeriod nothing = vague(List.of(), 0, 0);
-        if (!(scan.relief() > 0)) {
-            return nothing.none("flat: a mirror without color");
-        }
-        String gloss = where.isEmpty() ? GLOSS : "no order found" + where;
-        String none = gloss + "; nothing repeats";
-        double side = Math.max(scan.width(), scan.height());
-        boolean small = side <= LARGEST_REPEATED;
-        boolean periodic = patch.repetition() == Patch.Repetition.PERIODIC;
-        Optional<GratingPeriod> exact = patch.repetition() == Patch.Repetition.NONE
-                ? Optional.empty()
-                : RepeatedPeriod.of(scan, which, periodic);
-        // A long period may hold slightly different lines: a grating of split orders.
-        boolean lines = exact.isPresent() && exact.get().period() > MANY_LINES * Verdict.VIOLET;
-        if (periodic && !lines && (small || exact.isPresent())) {
-            return exact.orElseGet(() -> nothing.none(none + " within the patch, which is taken as a period"));
-        }
-        if (!(periodic && exact.isPresent()) && Math.max(scan.columns(), scan.rows()) < FEWEST_SAMPLES) {
-            return nothing.tooLittle(Text.format(
-                    "%d x %d samples, fewer than the %d of three periods",
-                    scan.columns(), scan.rows(), FEWEST_SAMPLES));
-        }
-        GratingPeriod piece = PeriodModel.of(scan, which, gloss).orElseGet(() -> nothing.none(none));
-        if (periodic && exact.isPresent()) {
-            // A lattice's waves cross each other: only a sure piece holds more of them.
-            boolean found =
-                    piece.isSure() || (piece.isSeen() && exact.get().others.isEmpty());
-            return found && exact.get().period() > MANY_LINES * piece.period() ? piece : exact.get();
-        }
-        if (!piece.isSeen() && side < SHORTEST_SIDE) {
-            return nothing.tooLittle(Text.format(
-                    "a side of %s, less than the %s of three periods with colors from above",
-                    Lengths.rounded(side, 3), Lengths.format(SHORTEST_SIDE)));
-        }
-        boolean agree = exact.isPresent() && Math.abs(exact.get().period() / piece.period() - 1) < ALIKE;
-        boolean isPiece = piece.isSure() || (piece.isSeen() && !agree);
-        return small && !isPiece ? exact.orElse(piece) : piece;
-    }
-
-    static double student(int degreesOfFreedom) {
+    static double student(double degreesOfFreedom) {
         return new TDistribution(degreesOfFreedom).inverseCumulativeProbability(0.5 + 0.5 * PROBABILITY);
-    }
-
-    /** Patterns in unmeasured rows are not the surface's. */
-    static HeightMap measured(HeightMap scan, List<ScanFault> faults) {
-        return faults.stream()
-                .filter(fault -> fault.unmeasured() > FEW_UNMEASURED)
-                .flatMap(fault -> fault.part().stream())
-                .findFirst()
-                .map(part -> part.apply(scan))
-                .orElse(scan);
     }
 
     /** @param waves the strongest first; none for a surface without a wave */
@@ -154,6 +74,13 @@ public record GratingPeriod(
     GratingPeriod within(double lowest, double highest, double halfWidth) {
         double longest = lowest > 0 ? 1 / lowest : Double.POSITIVE_INFINITY;
         return new GratingPeriod(wave, 1 / highest, longest, halfWidth, periods, share, others, certainty, reason);
+    }
+
+    /** Returns the period of some lines that differ in turn, overlaid by the present wave. */
+    GratingPeriod longer(int lines) {
+        List<SpatialFrequency> waves = Stream.concat(Stream.of(wave.times(1.0 / lines), wave), others.stream())
+                .toList();
+        return vague(waves, periods / lines, share).within(1 / high / lines, 1 / low / lines, azimuthHalfWidth);
     }
 
     GratingPeriod withCertainty(Certainty known, String why) {
@@ -209,9 +136,7 @@ public record GratingPeriod(
     /** Whether waves of about one length run in two or three directions. */
     boolean isLattice() {
         return !others.isEmpty()
-                && others.stream()
-                        .allMatch(
-                                other -> other.sineTo(wave) > CONE && Math.abs(other.period() / period() - 1) < ALIKE);
+                && others.stream().allMatch(other -> other.sineTo(wave) > CONE && other.isAsLongAs(wave));
     }
 
     /** Returns the azimuth rounded to parts of a degree, above -90 and at most 90. */

@@ -1,6 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
+import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 
 /** Correction of a wave's frequency by the slope of its phase along one direction, and its 95 % interval's half width; cycles per meter. */
@@ -15,6 +16,10 @@ record PhaseSlope(double value, double halfWidth) {
     private static final double LEAST_FILLED = 0.3;
     // Steps of a random walk's means under Hann windows have half the mean square of its own.
     private static final double SMOOTHED = 1.4;
+    // Standard error of gratings in cycles per length, and its weight in degrees of freedom: few windows do not tell
+    // their own error.
+    private static final double USUAL = 0.01;
+    private static final double USUAL_DEGREES = 5;
     // Bands of rows of one phase each; a scanner slips within few.
     private static final int BANDS = 48;
     // Periods along a row, which has a Hann window of its own.
@@ -126,33 +131,71 @@ record PhaseSlope(double value, double halfWidth) {
         return windows;
     }
 
-    /** Weighted least squares with the larger error: of independent phases (stray lines, noise) or a random walk (varying gaps). */
+    /**
+     * Weighted least squares with the larger error: of independent phases (stray lines, noise) or a random walk (varying gaps). The phases are
+     * near one another, or continue each other, whichever fits better: a ridge between two windows may look like a lost period.
+     */
     private static PhaseSlope fitted(Windows windows, int first, int last, double step) {
-        int degrees = (last - first) / PER_LENGTH - 1;
+        double[] places = new double[(last - first) / PER_LENGTH + 1];
+        double[] weights = new double[places.length];
+        double[] near = new double[places.length];
+        double[] following = new double[places.length];
         double[] phases = windows.phases();
-        double[] sums = new double[5];
-        for (int i = first; i <= last; i += PER_LENGTH) {
-            double place = i * step;
-            double[] terms = {1, place, place * place, phases[i], place * phases[i]};
-            for (int k = 0; k < sums.length; k++) {
-                sums[k] += windows.weight(i) * terms[k];
+        double re = 0;
+        double im = 0;
+        for (int k = 0; k < places.length; k++) {
+            int i = first + k * PER_LENGTH;
+            places[k] = i * step;
+            weights[k] = windows.weight(i);
+            following[k] = phases[i];
+            re += windows.re()[i];
+            im += windows.im()[i];
+        }
+        double mean = Math.atan2(im, re);
+        Arrays.setAll(near, k -> mean + Math.IEEEremainder(following[k] - mean, 2 * Math.PI));
+        Line one = Line.through(places, near, weights);
+        Line other = Line.through(places, following, weights);
+        return (one.squares <= other.squares ? one : other).slope(last * step);
+    }
+
+    /** Line through phases, radians, and its errors: weighted squares over the weights' spread, and squares of steps over the length's square. */
+    private record Line(double slope, double squares, double white, double walk, double degrees) {
+        static Line through(double[] places, double[] phases, double[] weights) {
+            int count = places.length;
+            double weight = StatUtils.sum(weights);
+            double middle = 0;
+            double mean = 0;
+            for (int i = 0; i < count; i++) {
+                middle += weights[i] * places[i] / weight;
+                mean += weights[i] * phases[i] / weight;
             }
+            double spread = 0;
+            double sum = 0;
+            for (int i = 0; i < count; i++) {
+                spread += weights[i] * (places[i] - middle) * (places[i] - middle);
+                sum += weights[i] * (places[i] - middle) * phases[i];
+            }
+            double slope = sum / spread;
+            double squares = 0;
+            double steps = 0;
+            for (int i = 0; i < count; i++) {
+                double rest = phases[i] - mean - slope * (places[i] - middle);
+                squares += weights[i] * rest * rest;
+                double next = i + 1 < count ? phases[i + 1] - phases[i] - slope * (places[i + 1] - places[i]) : 0;
+                steps += next * next;
+            }
+            double degrees = count - 2.0;
+            double walk = SMOOTHED * Math.sqrt(steps * (degrees + 1) / degrees) / (places[count - 1] - places[0]);
+            return new Line(slope, squares, Math.sqrt(squares / degrees / spread), walk, degrees);
         }
-        double middle = sums[1] / sums[0];
-        double spread = sums[2] - middle * sums[1];
-        double slope = (sums[4] - middle * sums[3]) / spread;
-        double squares = 0;
-        double steps = 0;
-        for (int i = first; i <= last; i += PER_LENGTH) {
-            double rest = phases[i] - sums[3] / sums[0] - slope * (i * step - middle);
-            squares += windows.weight(i) * rest * rest;
-            double next = i < last ? phases[i + PER_LENGTH] - phases[i] - slope * PER_LENGTH * step : 0;
-            steps += next * next;
+
+        PhaseSlope slope(double length) {
+            double seen = Math.max(white, walk) / (2 * Math.PI);
+            double usual = USUAL / length;
+            double all = degrees + USUAL_DEGREES;
+            double error = Math.sqrt((degrees * seen * seen + USUAL_DEGREES * usual * usual) / all);
+            return new PhaseSlope(slope / (2 * Math.PI), GratingPeriod.student(all) * error);
         }
-        double white = Math.sqrt(squares / degrees / spread);
-        double walk = SMOOTHED * Math.sqrt(steps * (degrees + 1) / degrees) / ((last - first) * step);
-        double halfWidth = GratingPeriod.student(degrees) * Math.max(white, walk);
-        return new PhaseSlope(slope / (2 * Math.PI), halfWidth / (2 * Math.PI));
     }
 
     /**

@@ -4,6 +4,8 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Spatial frequency of a wave in cycles per meter along +x and +y (upwards); (-x, -y) is the same wave. */
 public record SpatialFrequency(double x, double y) {
+    private static final double ALIKE = 0.05;
+
     public double length() {
         return Math.hypot(x, y);
     }
@@ -31,6 +33,11 @@ public record SpatialFrequency(double x, double y) {
     /** Returns the distance to the wave or its opposite, whichever is nearer, cycles per meter. */
     double distance(SpatialFrequency other) {
         return Math.min(Math.hypot(x - other.x, y - other.y), Math.hypot(x + other.x, y + other.y));
+    }
+
+    /** Whether lengths differ by less than 5 %; a scanner's axes differ in scale, too. */
+    boolean isAsLongAs(SpatialFrequency other) {
+        return Math.abs(other.length() / length() - 1) < ALIKE;
     }
 
     SpatialFrequency plus(SpatialFrequency other) {

@@ -14,26 +14,36 @@ import java.util.stream.Stream;
 import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.spectrum.Band;
 
 /** Search for lines (peaks of waves) in the power spectrum of a piece of a surface; bins are those of the unpadded piece, cycles per meter. */
-record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, double binX, double binY) {
+record WaveSearch(
+        HeightMap scan, HeightSpectrum spectrum, Predicate<SpatialFrequency> which, double binX, double binY) {
     // In bins of 1 / the scan's side; a Hann window's line reaches 2.
     private static final double LINE = 3;
     // Radius of a broad line as a share of its frequency.
     private static final double BREADTH = 0.15;
-    private static final int OVERTONES = 5;
+    static final int OVERTONES = 5;
     static final double AS_STRONG = 0.5;
+    private static final double FEWEST_PERIODS = 3;
     // A lattice has lines in three directions, and two sums or differences of these.
     private static final int MOST_LINES = 5;
     private static final int MOST_DIRECTIONS = 3;
+    // Per scan, for a period that is stated.
+    private static final double FALSE_ALARMS = 0.01;
+    // Along an axis: power in a Hann window's line over that of its peak.
+    private static final double HANN_BINS = 1.5;
     // Ratio of frequencies: a sum of two waves is finer than both, but for the third direction of a hexagonal lattice.
     private static final double COARSER = 0.95;
-    // Share of the overtone's height.
+    // Powers relative to the overtone's: a fifth of the amplitude (uneven lines have up to 0.033), and one that needs
+    // no
+    // other evidence.
+    private static final double FAINTEST_FUNDAMENTAL = 0.04;
     private static final double LEAST_FUNDAMENTAL = 0.25;
+    private static final double SIGNIFICANT = 40;
+    private static final double PROMINENT = 10;
     // Random surfaces with a ring as spectrum reach 7, gratings and lattices 11 and more.
     static final double LEAST_CONTRAST = 10;
-    // Random surfaces with a ring as spectrum have thousands, noise of falling power 2 at most.
-    static final double LEAST_RING = 4;
     // Sectors of 15 degrees in half a turn: rows of a snake's scale stray by 8.
     private static final int SECTORS = 12;
     // Prominence of gratings; noise along one axis reaches 23.
@@ -47,12 +57,40 @@ record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, do
     private static final double FINER_TO = 1.8;
 
     WaveSearch(HeightMap scan, Predicate<SpatialFrequency> which) {
-        this(HeightSpectrum.of(scan, HeightSpectrum.Edges.TAPERED), which, 1 / scan.width(), 1 / scan.height());
+        this(scan, HeightSpectrum.of(scan, HeightSpectrum.Edges.TAPERED), which, 1 / scan.width(), 1 / scan.height());
     }
 
     Optional<SpatialFrequency> strongest(Predicate<SpatialFrequency> also) {
         Predicate<SpatialFrequency> both = which.and(also);
         return spectrum.highest(place -> both.test(spectrum.frequency(place))).map(this::refined);
+    }
+
+    /** Returns the highest peaks, then the highest of power times frequency, as that of waviness falls; each outside of those before it. */
+    List<SpatialFrequency> peaks(Predicate<SpatialFrequency> also, int most) {
+        int wide = spectrum.bandX().count();
+        double[] power = spectrum.power();
+        List<Integer> places = IntStream.range(power.length / 2 + 1, power.length)
+                .filter(place -> power[place] > 0
+                        && IntStream.of(1, wide - 1, wide, wide + 1)
+                                .allMatch(step -> (place < step || power[place] >= power[place - step])
+                                        && (place + step >= power.length || power[place] >= power[place + step])))
+                .boxed()
+                .toList();
+        Comparator<Integer> byPower = Comparator.comparingDouble(place -> -power[place]);
+        Comparator<Integer> byBoth = Comparator.comparingDouble(
+                place -> -power[place] * spectrum.frequency(place).length());
+        List<SpatialFrequency> peaks = new ArrayList<>();
+        for (Comparator<Integer> order : List.of(byPower, byBoth)) {
+            int end = peaks.size() + most / 2;
+            for (int place : places.stream().sorted(order).toList()) {
+                SpatialFrequency wave = refined(place);
+                boolean isNew = peaks.stream().noneMatch(known -> isNear(wave, known, BREADTH));
+                if (peaks.size() < end && isNew && which.test(wave) && also.test(wave)) {
+                    peaks.add(wave);
+                }
+            }
+        }
+        return peaks;
     }
 
     private SpatialFrequency refined(int place) {
@@ -141,14 +179,6 @@ record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, do
         return contrast(wave, 1 - BREADTH, 1 + BREADTH);
     }
 
-    /** Whether a wave stands out of a surface that is otherwise, at frequencies beside it, much alike in all directions. */
-    boolean isAlone(SpatialFrequency wave) {
-        double coarser = contrast(wave, COARSER_FROM, COARSER_TO);
-        double finer = contrast(wave, FINER_FROM, FINER_TO);
-        double beside = Math.max(1, Math.max(coarser, finer));
-        return beside < LEAST_CONTRAST && contrast(wave) >= LEAST_CONTRAST * beside;
-    }
-
     private double contrast(SpatialFrequency wave, double from, double to) {
         double[] sums = new double[SECTORS];
         int[] counts = new int[SECTORS];
@@ -164,26 +194,116 @@ record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, do
         return line / sums[SECTORS / 2];
     }
 
-    /** Returns half or a third of a line's frequency if the line is an overtone. */
-    SpatialFrequency fundamental(SpatialFrequency line, Predicate<SpatialFrequency> also) {
-        return Stream.of(line.times(1.0 / 2), line.times(1.0 / 3))
-                .filter(which.and(also))
-                .filter(below -> top(below) >= LEAST_FUNDAMENTAL * top(line) && contrast(below) >= LEAST_CONTRAST)
-                .max(Comparator.comparingDouble(this::top))
-                .orElse(line);
+    /** Returns how many unlike lines repeat together: 2 or 3 if there is a peak at a half or a third of a wave's frequency, else 1. */
+    int ridges(SpatialFrequency wave) {
+        return IntStream.of(2, 3)
+                .filter(count -> isFundamental(wave.times(1.0 / count), wave, count))
+                .boxed()
+                .max(Comparator.comparingDouble(count -> top(wave.times(1.0 / count))))
+                .orElse(1);
     }
 
-    private double top(SpatialFrequency frequency) {
+    private boolean isFundamental(SpatialFrequency below, SpatialFrequency wave, int count) {
+        List<SpatialFrequency> overtones =
+                IntStream.range(1, 2 * count).mapToObj(below::times).toList();
+        boolean strong = top(below) >= LEAST_FUNDAMENTAL * top(wave) && contrast(below) >= LEAST_CONTRAST;
+        return which.test(below)
+                && below.periodsIn(scan) >= FEWEST_PERIODS
+                && isPeak(below)
+                && top(below) >= FAINTEST_FUNDAMENTAL * top(wave)
+                && (strong || (significance(below) >= SIGNIFICANT && prominence(below, overtones) >= PROMINENT));
+    }
+
+    private boolean isPeak(SpatialFrequency wave) {
+        double highest = 0;
+        int x = (int) Math.rint(wave.x() * spectrum.width());
+        int y = (int) Math.rint(wave.y() * spectrum.height());
+        for (int jy = -2; jy <= 2; jy++) {
+            for (int jx = -2; jx <= 2; jx++) {
+                highest = Math.max(highest, spectrum.at(x + jx, y + jy));
+            }
+        }
+        return top(wave) >= highest;
+    }
+
+    double top(SpatialFrequency frequency) {
         int x = (int) Math.rint(frequency.x() * spectrum.width());
         int y = (int) Math.rint(frequency.y() * spectrum.height());
         DoubleStream square = IntStream.range(0, 9).mapToDouble(i -> spectrum.at(x - 1 + i % 3, y - 1 + i / 3));
         return square.max().orElseThrow();
     }
 
-    /** Height of a wave's peak over the larger median beside it, without the bins of other waves. */
+    /** Height of a wave's peak over the largest median beside it, without the bins of other waves. */
     double prominence(SpatialFrequency wave, List<SpatialFrequency> others) {
         double coarser = beside(wave, others, COARSER_FROM, COARSER_TO);
-        return top(wave) / Math.max(coarser, beside(wave, others, FINER_FROM, FINER_TO));
+        double finer = beside(wave, others, FINER_FROM, FINER_TO);
+        return top(wave) / Math.max(alongRows(wave), Math.max(coarser, finer));
+    }
+
+    /** Median of the power at a wave's frequency along x: rows of a vibration that differ in phase have it at all frequencies along y. */
+    private double alongRows(SpatialFrequency wave) {
+        if (Math.abs(wave.x()) < LINE * binX) {
+            return 0;
+        }
+        int x = (int) Math.rint(wave.x() * spectrum.width());
+        int y = (int) Math.rint(wave.y() * spectrum.height());
+        int from = (int) (spectrum.height() * Math.max((LINE + 1) * binY, COARSER_FROM * wave.length()));
+        double[] powers = IntStream.rangeClosed(from, Math.max(3 * from, from + 8))
+                .flatMap(step -> IntStream.of(y + step, y - step))
+                .filter(spectrum.bandY()::holds)
+                .mapToDouble(jy ->
+                        Math.max(spectrum.at(x, jy), Math.max(spectrum.at(x - 1, jy), spectrum.at(x + 1, jy))))
+                .toArray();
+        return powers.length == 0 ? 0 : Quantiles.of(powers, 0.5);
+    }
+
+    /** Height of a peak over the median of the bins 3 to 6 bins of the scan from it. */
+    double significance(SpatialFrequency wave) {
+        int count = 0;
+        int stepX = (int) Math.rint(2 * LINE * binX * spectrum.width());
+        int stepY = (int) Math.rint(2 * LINE * binY * spectrum.height());
+        double[] powers = new double[(2 * stepX + 1) * (2 * stepY + 1)];
+        int x = (int) Math.rint(wave.x() * spectrum.width());
+        int y = (int) Math.rint(wave.y() * spectrum.height());
+        for (int jy = -stepY; jy <= stepY; jy++) {
+            for (int jx = -stepX; jx <= stepX; jx++) {
+                double distance = Math.hypot((double) jx / stepX, stepY > 0 ? (double) jy / stepY : 0);
+                if (distance >= 0.5
+                        && distance <= 1
+                        && spectrum.bandX().holds(x + jx)
+                        && spectrum.bandY().holds(y + jy)) {
+                    powers[count++] = spectrum.at(x + jx, y + jy);
+                }
+            }
+        }
+        double middle = count == 0 ? 0 : Quantiles.of(Arrays.copyOf(powers, count), 0.5);
+        return middle > 0 ? top(wave) / middle : Double.POSITIVE_INFINITY;
+    }
+
+    /** Height of the highest of the accepted waves' independent peaks over the median, which noise reaches in 1 of 100 scans. */
+    double chance() {
+        long accepted = IntStream.range(spectrum.power().length / 2 + 1, spectrum.power().length)
+                .filter(place -> which.test(spectrum.frequency(place)))
+                .count();
+        double padding = binX * spectrum.width() * binY * spectrum.height();
+        // Powers of noise are distributed exponentially.
+        return Math.log(Math.max(1, accepted / padding) / FALSE_ALARMS) / Math.log(2);
+    }
+
+    /** Share, 0..1, of the variance in plane waves with overtones: a Hann window's line holds 1.5 bins' worth of its peak along each axis. */
+    double lineShare(List<SpatialFrequency> waves) {
+        double bins = 2
+                * worth(binX * spectrum.width(), spectrum.bandX())
+                * worth(binY * spectrum.height(), spectrum.bandY());
+        double tops = waves.stream()
+                .flatMap(wave -> Stream.of(wave, wave.times(2), wave.times(3)))
+                .mapToDouble(this::top)
+                .sum();
+        return Math.min(1, bins * tops / spectrum.total());
+    }
+
+    private static double worth(double padding, Band band) {
+        return band.count() > 1 ? HANN_BINS * padding : 1;
     }
 
     /** Median over frequencies of the highest bin in the wave's sector: all but one are empty if the surface varies along one axis only. */
@@ -264,7 +384,7 @@ record WaveSearch(HeightSpectrum spectrum, Predicate<SpatialFrequency> which, do
                 && (isNear(sum, one.plus(two), 0) || isNear(sum, one.plus(two.times(-1)), 0));
     }
 
-    private boolean isNear(SpatialFrequency frequency, SpatialFrequency line, double share) {
+    boolean isNear(SpatialFrequency frequency, SpatialFrequency line, double share) {
         return distance(frequency, line, share) <= 1 || distance(frequency, line.times(-1), share) <= 1;
     }
 }

@@ -18,6 +18,7 @@ import sunbeam.precompute.prepare.Edges.Seam;
 import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.prepare.Preparation;
 import sunbeam.precompute.prepare.Preparation.Spikes;
+import sunbeam.precompute.prepare.RowWave;
 import sunbeam.precompute.prepare.ScanFaults;
 import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 import sunbeam.precompute.setting.Choices;
@@ -68,6 +69,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
             warnings.add(prepared.missing() + " of " + scan.heights().length
                     + " samples are missing and were filled from their neighbors");
         }
+        removedWave(measured, preparation).ifPresent(warnings::add);
         spikes(scan, preparation).ifPresent(warnings::add);
         repetitionWarning(measured, scan, preparation, repetition).ifPresent(warnings::add);
         Plausibility.mirror(measured, scan, prepared.steps()).ifPresent(warnings::add);
@@ -125,6 +127,19 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 .map(part -> named(CROP, part.written()) + " leaves them out")
                 .or(() -> fault.leveling().map(by -> named(LEVEL, ValueKind.name(by)) + " removes this"))
                 .orElse("");
+    }
+
+    private Optional<String> removedWave(HeightMap measured, Preparation preparation) {
+        Leveling leveling = preparation.leveling();
+        if (leveling != Leveling.ROWS && leveling != Leveling.MEDIAN_ROWS) {
+            return Optional.empty();
+        }
+        HeightMap cropped = preparation.crop().map(crop -> crop.apply(measured)).orElse(measured);
+        return RowWave.period(Leveling.PLANE.apply(cropped)).stream()
+                .mapToObj(period -> "levelling " + ValueKind.name(leveling) + " takes away a wave of about "
+                        + Lengths.rounded(period, 2) + " across the rows; if it is a grating, keep it ("
+                        + named(LEVEL, ValueKind.name(Leveling.PLANE)) + ")")
+                .findFirst();
     }
 
     private Optional<String> spikes(HeightMap scan, Preparation preparation) {

@@ -101,11 +101,20 @@ public final class ScanFaults {
         }
         List<Offset> jumps = jumps();
         List<ScanFault> faults = new ArrayList<>();
-        for (Offset jump : jumps) {
-            String height = Lengths.rounded(Math.abs(jump.median), 2);
-            int above = place.firstRow() + jump.row + 1;
-            faults.add(leveled("all heights jump by " + height + " between rows " + above + " and " + (above + 1)
-                    + " of " + whole.rows() + " (from the top)"));
+        String rows = " of " + whole.rows() + " (from the top)";
+        if (isBlock(jumps)) {
+            Offset jump = jumps.get(0);
+            faults.add(leveled("rows " + (place.firstRow() + jump.row + 2) + " to "
+                    + (place.firstRow() + jumps.get(1).row + 1) + rows + " lie "
+                    + Lengths.rounded(Math.abs(jump.median), 2) + (jump.median > 0 ? " higher" : " lower")
+                    + " than the others, all columns alike: the scanner, or a ridge along the rows"));
+        } else {
+            for (Offset jump : jumps) {
+                String height = Lengths.rounded(Math.abs(jump.median), 2);
+                int above = place.firstRow() + jump.row + 1;
+                faults.add(leveled(
+                        "all heights jump by " + height + " between rows " + above + " and " + (above + 1) + rows));
+            }
         }
         double[] others = offsets.stream()
                 .filter(offset -> !jumps.contains(offset))
@@ -121,7 +130,7 @@ public final class ScanFaults {
         return new ScanFault(words, Optional.empty(), Optional.of(Leveling.MEDIAN_ROWS), 0, "");
     }
 
-    /** None if there are too many, or jumps up and down by the same amount, as at a ridge along the rows. */
+    /** None if there are too many, or several jumps up and down by the same amount, as at ridges along the rows. */
     private List<Offset> jumps() {
         double least = Math.max(JUMP_DEVIATIONS * deviation, JUMP_SPREADS * spread);
         List<Offset> steep = offsets.stream()
@@ -131,11 +140,17 @@ public final class ScanFaults {
                 .filter(offset -> offset.spread <= LARGEST_JUMP_SPREAD * spread)
                 .filter(offset -> Math.abs(offset.mean - offset.median) <= ALIKE * Math.abs(offset.median))
                 .toList();
-        boolean returns = together.stream()
-                .anyMatch(jump -> steep.stream()
-                        .anyMatch(other -> Math.abs(jump.median + other.median - 2 * medianOffset)
-                                <= ALIKE * Math.abs(jump.median - medianOffset)));
-        return returns || together.size() > MOST_JUMPS ? List.of() : together;
+        boolean returns = together.stream().anyMatch(jump -> steep.stream().anyMatch(other -> isReturn(jump, other)));
+        boolean block = steep.size() == 2 && isBlock(together);
+        return (returns && !block) || together.size() > MOST_JUMPS ? List.of() : together;
+    }
+
+    private boolean isBlock(List<Offset> jumps) {
+        return jumps.size() == 2 && isReturn(jumps.get(0), jumps.get(1));
+    }
+
+    private boolean isReturn(Offset jump, Offset other) {
+        return Math.abs(jump.median + other.median - 2 * medianOffset) <= ALIKE * Math.abs(jump.median - medianOffset);
     }
 
     private static boolean areIndependent(double[] offsets) {

@@ -38,8 +38,8 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
 
     /** The program's estimate for the measured part of the scan; empty where it refuses. */
     Optional<GratingPeriod> estimate() {
-        HeightMap measured = GratingPeriod.measured(map, ScanFaults.in(map, Optional.empty()));
-        return PeriodModel.of(measured, wave -> true, GratingPeriod.GLOSS).filter(GratingPeriod::isSure);
+        HeightMap measured = PatchPeriod.measured(map, ScanFaults.in(map, Optional.empty()));
+        return PeriodModel.of(measured, Hypothesis.ANY).filter(GratingPeriod::isSure);
     }
 
     boolean holdsTruth(GratingPeriod estimate) {

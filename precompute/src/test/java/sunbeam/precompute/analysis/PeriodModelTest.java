@@ -3,6 +3,7 @@ package sunbeam.precompute.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.Stream;
@@ -16,7 +17,7 @@ import sunbeam.precompute.optics.HeightMap;
 /** The period of pieces of surfaces: right where there is an estimate, and without one elsewhere. */
 class PeriodModelTest {
     private static Optional<GratingPeriod> estimate(HeightMap map) {
-        return PeriodModel.of(map, wave -> true, GratingPeriod.GLOSS).filter(GratingPeriod::isSure);
+        return PeriodModel.of(map, Hypothesis.ANY).filter(GratingPeriod::isSure);
     }
 
     /** In any direction, of 7 to 30 periods. */
@@ -75,15 +76,54 @@ class PeriodModelTest {
         SplittableRandom random = new SplittableRandom(1);
         DoubleBinaryOperator noisy =
                 (x, y) -> 50e-9 * Math.sin(2e6 * Math.PI * x / 2.9) + 40e-9 * random.nextGaussian();
-        // 0.5 * 50^2 of 0.5 * 50^2 + 40^2 nm2 are 44 %; 100 x 100 samples of noise differ by half a percent.
+        // Noise of the wave's size does not hide it.
         assertThat(refusal(Surfaces.of(100, 100, 100e-9, noisy)))
-                .matches(".* is seen only 3\\.4 times; its lines explain only 4[345] % of the heights' variance");
+                .isEqualTo("3.4 periods seen, too few for an interval");
         assertThat(refusal(PeriodlessSurface.WHITE.draw(1))).startsWith("no order found: a white gloss without color");
     }
 
+    /** A grating of 1 um, 50 nm high, with a ridge of 2.3 um along its lines, or 30 rows that lie higher; the truth is in the interval. */
+    @ParameterizedTest
+    @CsvSource({
+        "60e-9, false, 0",
+        "150e-9, false, 0",
+        "300e-9, false, 0",
+        "200e-9, true, 0",
+        "200e-9, true, 90",
+        "300e-9, true, 90"
+    })
+    void ridgesAndShiftedRowsChangeNothing(double height, boolean rows, double azimuth) {
+        SplittableRandom random = new SplittableRandom(7);
+        double angle = Math.toRadians(azimuth);
+        double pitch = 20e-6 / 256;
+        HeightMap map = Surfaces.sampled(256, 256, pitch, (column, row) -> {
+            double across = pitch * (column * Math.cos(angle) - row * Math.sin(angle));
+            int place = rows ? row : column;
+            return 50e-9 * Math.sin(2 * Math.PI * across / 1e-6)
+                    + (place >= 100 && place < 130 ? height : 0)
+                    + 3e-9 * random.nextGaussian();
+        });
+        GratingPeriod period = estimate(map).orElseThrow();
+        assertThat(1e-6).isBetween(period.low(), period.high());
+    }
+
+    /** A wave that is too weak among all waves is seen where it is expected; noise is not. */
+    @Test
+    void aStatedPeriodIsTestedAlone() {
+        SplittableRandom random = new SplittableRandom(5);
+        HeightMap map = Surfaces.of(
+                150, 150, 100e-9, (x, y) -> 10e-9 * Math.sin(2 * Math.PI * x / 1.2e-6) + 40e-9 * random.nextGaussian());
+        assertThat(estimate(map)).isEmpty();
+        Hypothesis stated = new Hypothesis(OptionalDouble.of(0), 1e-6, 1.4e-6);
+        GratingPeriod found = PeriodModel.of(map, stated).orElseThrow();
+        assertThat(found.isSeen()).as(found.reason()).isTrue();
+        // Noise 16 times as strong as the wave turns its phase by a tenth of a turn over 12 periods.
+        assertThat(found.period()).isBetween(1.19e-6, 1.21e-6);
+        Hypothesis wrong = new Hypothesis(OptionalDouble.of(0.5 * Math.PI), 1e-6, 1.4e-6);
+        assertThat(PeriodModel.of(map, wrong).filter(GratingPeriod::isSeen)).isEmpty();
+    }
+
     private static String refusal(HeightMap map) {
-        return PeriodModel.of(map, wave -> true, GratingPeriod.GLOSS)
-                .orElseThrow()
-                .reason();
+        return PeriodModel.of(map, Hypothesis.ANY).orElseThrow().reason();
     }
 }

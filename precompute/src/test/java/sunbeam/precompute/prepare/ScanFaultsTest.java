@@ -11,6 +11,7 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
@@ -180,6 +181,29 @@ class ScanFaultsTest {
         assertThat(faults(Leveling.MEDIAN_ROWS.apply(field(heights)).heights())).isEmpty();
     }
 
+    /** 30 rows of a grating, whose lines run across or along the rows, and of noise, lie ten times its amplitude higher or lower. */
+    @ParameterizedTest
+    @CsvSource({"1, 0, 4e-7", "0, 1, -4e-7", "0, 0, 4e-7"})
+    void aBlockOfShiftedRowsIsAFault(double alongX, double alongY, double shift) {
+        SplittableRandom random = new SplittableRandom(13);
+        double[] heights = heights((x, y) ->
+                40e-9 * Math.sin(2 * Math.PI * (alongX * x + alongY * y) / 900e-9) + 2e-9 * random.nextGaussian());
+        for (int row = 40; row < 70; row++) {
+            shiftRow(heights, row, shift);
+        }
+        assertThat(faults(heights)).singleElement().satisfies(fault -> {
+            assertThat(fault.words())
+                    .startsWith("rows 41 to 70 of 96 (from the top) lie ")
+                    .contains(shift > 0 ? "higher" : "lower");
+            assertThat(fault.leveling()).contains(Leveling.MEDIAN_ROWS);
+        });
+        // Two ridges along the rows belong to the surface.
+        for (int row = 10; row < 25; row++) {
+            shiftRow(heights, row, shift);
+        }
+        assertThat(faults(heights)).isEmpty();
+    }
+
     /** A sideways shift of the lines is another fault. */
     @Test
     void aSlipSidewaysIsNoJumpInHeight() {
@@ -189,6 +213,21 @@ class ScanFaultsTest {
             return 2e-7 * (turns - Math.floor(turns)) + 2e-9 * random.nextGaussian();
         });
         assertThat(faults(saw)).isEmpty();
+    }
+
+    /** Leveling of rows removes lines along the rows: 8.5 of them; offsets of noise, and a jump, are no lines. */
+    @Test
+    void aWaveInTheRowsIsTold() {
+        SplittableRandom random = new SplittableRandom(14);
+        double[] lines = heights((x, y) -> 40e-9 * Math.sin(2 * Math.PI * y / 900e-9) + 2e-9 * random.nextGaussian());
+        double[] across = scan(15);
+        for (int row = 0; row < ROWS; row++) {
+            shiftRow(lines, row, row > 50 ? 3e-7 : 0);
+            shiftRow(across, row, 6e-9 * random.nextGaussian() + (row > 50 ? 3e-7 : 0));
+        }
+        // Half of a line over the scan.
+        assertThat(RowWave.period(field(lines)).orElseThrow()).isBetween(850e-9, 950e-9);
+        assertThat(RowWave.period(field(across))).isEmpty();
     }
 
     @Test

@@ -1,0 +1,86 @@
+package sunbeam.precompute.analysis;
+
+import java.util.Arrays;
+import sunbeam.precompute.analysis.GratingPeriod.Certainty;
+
+/**
+ * Table of decisions on a wave: of its rows, in this order, the first whose condition holds decides. Of surfaces without order, at most 1 in 200
+ * may be called sure and 3 in 100 probable, which {@code KnownSurfaceTest} counts. docs/evaluation.md prints the table.
+ */
+enum Decision {
+    FINE_RELIEF(Certainty.NONE),
+    FAINT(Certainty.NONE),
+    ALL_DIRECTIONS(Certainty.ALL_DIRECTIONS),
+    TOO_FEW(Certainty.TOO_LITTLE),
+    LIKELY(Certainty.PROBABLE),
+    POSSIBLE(Certainty.TOO_LITTLE),
+    NOISE(Certainty.NONE),
+    FEW(Certainty.PROBABLE),
+    UNDERSAMPLED(Certainty.PROBABLE),
+    UNEVEN(Certainty.PROBABLE),
+    SURE(Certainty.SURE);
+
+    // Probability that the strongest of a few random waves has such a share.
+    private static final double FALSE_ALARMS = 0.005;
+
+    final Certainty certainty;
+
+    Decision(Certainty certainty) {
+        this.certainty = certainty;
+    }
+
+    static Decision of(Evidence wave) {
+        return Arrays.stream(values())
+                .filter(row -> row.holds(wave))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private boolean holds(Evidence wave) {
+        return switch (this) {
+            case FINE_RELIEF -> isFaint(wave) && wave.unseen() > 0.5;
+            case FAINT -> isFaint(wave);
+            case ALL_DIRECTIONS ->
+                !wave.isStated()
+                        && wave.periods() >= 4
+                        && wave.ring() >= 4
+                        && wave.contrast() < 40
+                        && wave.lines() < 0.3;
+            case TOO_FEW -> wave.periods() < 3 && (isOrder(wave) || (wave.lines() >= 0.3 && wave.contrast() >= 10));
+            case LIKELY -> !isOrder(wave) && isLikely(wave);
+            case POSSIBLE -> !isOrder(wave) && wave.lines() >= 0.15 && wave.prominence() >= 3;
+            case NOISE -> !isOrder(wave);
+            case FEW -> wave.periods() < 4;
+            case UNDERSAMPLED -> wave.samples() < 4;
+            case UNEVEN -> wave.width() > 0.1;
+            case SURE -> true;
+        };
+    }
+
+    private static boolean isFaint(Evidence wave) {
+        return wave.share() < 0.08 && !wave.isStated();
+    }
+
+    /** Whether the surface is nearly one wave, or a wave stands out of its neighborhood. */
+    private static boolean isOrder(Evidence wave) {
+        // Powers of random waves are distributed exponentially: n + 1 of them, each of another number of periods.
+        double chance = (wave.periods() + 1) * Math.pow(1 - wave.lines(), wave.periods());
+        boolean alone = wave.lines() >= 0.3 && chance <= FALSE_ALARMS;
+        boolean standsOut = wave.lines() >= 0.06
+                && wave.prominence() >= 15
+                && wave.lines() * wave.prominence() >= 4
+                && wave.significance() >= 40;
+        boolean directed = wave.contrast() >= 10 || wave.lines() >= 0.27;
+        return wave.isStated() || (directed && (alone || standsOut));
+    }
+
+    /** Straight lines of noise, whose contrast is higher, have few independent waves, of which one may be this strong. */
+    private static boolean isLikely(Evidence wave) {
+        return wave.lines() >= 0.2
+                && wave.contrast() >= 10
+                && wave.contrast() < 60
+                && wave.prominence() >= 4
+                && wave.significance() >= 40
+                && wave.periods() >= 3.5;
+    }
+}
