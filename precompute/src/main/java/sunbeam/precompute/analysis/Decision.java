@@ -44,7 +44,7 @@ enum Decision {
                 !wave.isStated()
                         && wave.periods() >= 4
                         && wave.ring() >= 4
-                        && wave.contrast() < 40
+                        && wave.contrast() < (wave.broad() ? 10 : 40)
                         && wave.lines() < 0.3;
             case TOO_FEW -> wave.periods() < 3 && (isOrder(wave) || (wave.lines() >= 0.3 && wave.contrast() >= 10));
             case LIKELY -> !isOrder(wave) && isLikely(wave);
@@ -71,7 +71,8 @@ enum Decision {
                 && wave.lines() * wave.prominence() >= 4
                 && wave.significance() >= 40;
         boolean directed = wave.contrast() >= 10 || wave.lines() >= 0.27;
-        return wave.isStated() || (directed && (alone || standsOut));
+        boolean grown = wave.broad() && wave.contrast() >= 20 && wave.prominence() >= 16;
+        return wave.isStated() || (directed && (alone || standsOut || grown));
     }
 
     /** Straight lines of noise, whose contrast is higher, have few independent waves, of which one may be this strong. */

@@ -3,6 +3,7 @@ package sunbeam.precompute.analysis;
 /**
  * Measures of the strongest wave that decide whether it is order.
  *
+ * @param broad whether most of the power within 15 % of the frequency is not in one line, as of grown surfaces
  * @param periods number in the scan along the wave
  * @param samples per period, along the axis that has fewer
  * @param share of the variance, without structure coarser than two periods, near the wave, its like in other directions and its overtones, 0..1
@@ -16,6 +17,7 @@ package sunbeam.precompute.analysis;
  * @param width half width of the frequency's 95 % interval, relative; infinite before it is known
  */
 record Evidence(
+        boolean broad,
         double periods,
         double samples,
         double share,
@@ -32,7 +34,7 @@ record Evidence(
 
     Evidence within(double known) {
         return new Evidence(
-                periods, samples, share, lines, contrast, ring, prominence, significance, unseen, chance, known);
+                broad, periods, samples, share, lines, contrast, ring, prominence, significance, unseen, chance, known);
     }
 
     boolean isStated() {

@@ -77,6 +77,7 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
         double share = (lattice ? lines : List.of(middle))
                 .stream().mapToDouble(search::share).sum();
         Evidence evidence = new Evidence(
+                !sharp,
                 middle.periodsIn(scan),
                 middle.samplesIn(scan),
                 Math.min(1, share),

@@ -90,6 +90,8 @@ record WaveSearch(
                 }
             }
         }
+        peaks.subList(Math.min(most / 2, peaks.size()), peaks.size())
+                .sort(Comparator.comparingDouble(wave -> -top(wave)));
         return peaks;
     }
 
