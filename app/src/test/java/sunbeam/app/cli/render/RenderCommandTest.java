@@ -171,7 +171,7 @@ class RenderCommandTest extends CommandLineFixture {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            elaphe --coherence-length 10mm | USAGE          | a shorter --coherence-length, or --method full
+            elaphe --coherence-length 10mm | DRIVER_LIMIT   | a shorter --coherence-length, or --method full
             elafe                          | UNUSABLE_INPUT | elafe
             """)
     void whatCannotBeDrawnIsToldInALine(String scene, ExitCode code, String words) {
