@@ -61,7 +61,7 @@ public final class MouseControls extends MouseAdapter {
                 (controls, event) -> isDoubleClick(event) && event.isShiftDown(),
                 MouseControls::pick),
         PICK(
-                new Help(Group.SKIN, "double click on the skin", "picks the point"),
+                new Help(Group.SKIN, "double click on the skin", "picks the point, and its object"),
                 (controls, event) -> isDoubleClick(event),
                 MouseControls::pick);
 

@@ -69,7 +69,7 @@ final class MethodProbe {
         return evaluate(pairs.stream().map(pair -> new Query(pair, 0)), MethodUse.COLOR, options);
     }
 
-    /** Returns coherent power, ensemble power, rho and BRDF at one wavelength in meters. */
+    /** Returns coherent power and ensemble power at one wavelength in meters. */
     List<float[]> powers(List<DirectionPair> pairs, double wavelength, String options) {
         return evaluate(pairs.stream().map(pair -> new Query(pair, wavelength)), MethodUse.SPECTRAL, options);
     }

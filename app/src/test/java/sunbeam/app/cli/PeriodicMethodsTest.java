@@ -3,15 +3,16 @@ package sunbeam.app.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.nio.file.Path;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -23,15 +24,13 @@ import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ExactLight.Quadrature;
 import sunbeam.precompute.reference.ExactLight.ReplicaLight;
+import sunbeam.precompute.text.Text;
 
 /** Methods for periodic surfaces: nmm and gem, of one wavelength an order, and pq. */
 @NeedsDisplay
-class PeriodicMethodsTest {
+class PeriodicMethodsTest extends CommandLineFixture {
     // Required by the design: the error of replacing an order's wavelengths by one.
     private static final double MEDIAN_ERROR = 0.01;
-
-    @TempDir
-    private Path home;
 
     /** Returns sorted errors in the orders; between them there is too little light to compare. */
     private static List<Double> errors(List<float[]> actual, List<float[]> expected) {
@@ -46,7 +45,7 @@ class PeriodicMethodsTest {
     @ParameterizedTest
     @ValueSource(strings = {"blaze", "sinusoid", "lamellar"})
     void agreesWithFullAlongAGratingsPlane(String patch) {
-        MethodProbe probe = new MethodProbe(home, "--patch " + patch);
+        MethodProbe probe = new MethodProbe(folder, "--patch " + patch);
         List<DirectionPair> plane = MethodProbe.gratingPlane(301);
         List<Double> errors = errors(probe.colors(plane, "--method nmm"), probe.colors(plane, "--tolerance 1e-4"));
         assertThat(errors).hasSizeGreaterThan(150);
@@ -57,7 +56,7 @@ class PeriodicMethodsTest {
     @ParameterizedTest
     @CsvSource({"blaze, coherent, 9", "disc, coherent, 20", "disc, ensemble, 20"})
     void itsPowerOverTheWavelengthsIsItsColor(String patch, String average, double degrees) {
-        MethodProbe probe = new MethodProbe(home, "--patch " + patch);
+        MethodProbe probe = new MethodProbe(folder, "--patch " + patch);
         DirectionPair pair = MethodProbe.inPlane(0, -degrees);
         CieTable cie = probe.setup().cie();
 
@@ -81,7 +80,7 @@ class PeriodicMethodsTest {
 
     @Test
     void theEnsembleOfAMeasuredLikePatchKeepsEachOrderApart() {
-        MethodProbe probe = new MethodProbe(home, "--patch disc");
+        MethodProbe probe = new MethodProbe(folder, "--patch disc");
         List<DirectionPair> directions = IntStream.range(0, 60)
                 .mapToObj(
                         i -> new DirectionPair(Direction.ofDegrees(20, 0), Direction.ofDegrees(1.3 * i + 3, 47.0 * i)))
@@ -174,7 +173,7 @@ class PeriodicMethodsTest {
 
     @BeforeEach
     void loadPatch() {
-        blaze = new MethodProbe(home, "--patch blaze");
+        blaze = new MethodProbe(folder, "--patch blaze");
     }
 
     private ExactLight exact(int replicas) {
@@ -244,34 +243,47 @@ class PeriodicMethodsTest {
         "blaze, pq --interpolation sinc", "blaze, pq --interpolation linear"
     })
     void noPixelOfAMapIsWithoutAColor(String patch, String method) {
-        new MethodProbe(home, "--patch " + patch).assertMapHasColors("--method " + method);
+        new MethodProbe(folder, "--patch " + patch).assertMapHasColors("--method " + method);
+    }
+
+    /** Returns power, rho and BRDF of method pq at 500 nm; angles of light and view in degrees, the view's negative towards -x. */
+    private double[][] radiances(String fresnel, double[]... pairs) throws IOException {
+        StringBuilder csv = new StringBuilder("theta_i,phi_i,theta_r,phi_r,wavelength\n");
+        for (double[] pair : pairs) {
+            csv.append(Text.format("%s,0,%s,%s,500%n", pair[0], Math.abs(pair[1]), pair[1] < 0 ? 180 : 0));
+        }
+        Files.writeString(folder.resolve("in.csv"), csv);
+        assertSuccess(sunbeam(
+                "reflectance blaze --method pq --directions @in.csv --output @out.csv --force --fresnel " + fresnel));
+        return Arrays.stream(rows("out.csv"))
+                .map(row -> new double[] {row[5], row[row.length - 2], row[row.length - 1]})
+                .toArray(double[][]::new);
     }
 
     @Test
-    void aSpecularFlatPartReflectsAllWithTheEqualAreaBrdf() {
+    void aSpecularFlatPartReflectsAllWithTheEqualAreaBrdf() throws IOException {
         // rho of power 1 at normal incidence is 1; brdf = R0 4 pi sigma^2 / lambda^2 with 4 pi sigma^2 the lit area.
-        float[] values = blaze.powers(List.of(MethodProbe.inPlane(0, 0)), WAVELENGTH, "--method pq")
-                .get(0);
+        double[] values = radiances("once", new double[] {0, 0})[0];
         double area = Math.pow(26 * PERIOD, 2);
         double r0 = 0.04;
-        assertThat(values[3] / values[0] * WAVELENGTH * WAVELENGTH / (r0 * area))
-                .isCloseTo(1.0, within(1e-4));
-        assertThat(values[2]).isCloseTo(values[0], within(1e-6f));
+        // Powers are float32.
+        assertThat(values[2] / values[0] * WAVELENGTH * WAVELENGTH / (r0 * area))
+                .isCloseTo(1, within(1e-6));
+        assertThat(values[1]).isCloseTo(values[0], within(1e-6));
     }
 
     /** Rho is relative to a mirror's R(0): squared, rho has (R / R(0))^2 and the BRDF R^2 / R(0). */
     @Test
-    void theBrdfIsTheSameMultipleOfRhoForBothFormsOfFresnel() {
+    void theBrdfIsTheSameMultipleOfRhoForBothFormsOfFresnel() throws IOException {
         // At 60 degrees R is 1.75 R(0).
-        List<DirectionPair> pairs =
-                List.of(MethodProbe.inPlane(0, 0), MethodProbe.inPlane(30, 30), MethodProbe.inPlane(60, -60));
-        List<float[]> once = blaze.powers(pairs, WAVELENGTH, "--method pq --fresnel once");
-        List<float[]> squared = blaze.powers(pairs, WAVELENGTH, "--method pq --fresnel squared");
-        for (int i = 0; i < pairs.size(); i++) {
-            double expected = once.get(i)[3] / once.get(i)[2];
-            // Rounding of float32.
-            assertThat(squared.get(i)[3] / squared.get(i)[2] / expected).isCloseTo(1, within(1e-6));
+        double[][] pairs = {{0, 0}, {30, 30}, {60, -60}};
+        double[][] once = radiances("once", pairs);
+        double[][] squared = radiances("squared", pairs);
+        for (int i = 0; i < pairs.length; i++) {
+            // Text keeps 1e-6 of each value.
+            assertThat(squared[i][2] / squared[i][1] / (once[i][2] / once[i][1]))
+                    .isCloseTo(1, within(1e-5));
         }
-        assertThat(squared.get(2)[2] / once.get(2)[2]).isGreaterThan(1.7f);
+        assertThat(squared[2][1] / once[2][1]).isGreaterThan(1.7);
     }
 }
