@@ -69,8 +69,9 @@ void main() {
         vec3 dv = inside(dFdy(uvw), coverageChange.y);
         vec3 diffracted = vec3(0.0);
         if (wi.z > 0.0 && wr.z > 0.0) {
-            Footprint footprint = footprintOf(uvw, du, dv, wi, lightVariances[light], 0.0);
-            diffracted = relativeRadiance(wi, wr) * residentXyz(footprint);
+            ReliefMean mean = reliefMean(wi, wr, tabulatedSlopeVariance + slopeVariance);
+            Footprint footprint = footprintOf(mean.uvw, du, dv, wi, lightVariances[light], 0.0);
+            diffracted = mean.gain * residentXyz(footprint);
         }
         // Only the first light casts shadows.
         float visible = 1.0;

@@ -49,9 +49,9 @@ layout(location = 0) out vec4 radiance;
 layout(location = 1) out vec4 footprintCenter;
 layout(location = 2) out vec4 footprintAxis;
 
-// XYZ of the power of the pixel's footprint; MISSING where a tile is not resident. du, dv: as footprintOf of include/footprint.glsl.
-vec3 pixelXyz(vec3 wi, vec3 wr, vec3 du, vec3 dv, float lightVariance) {
-    vec3 uvw = diffractionVector(wi, wr);
+// XYZ of the power of the pixel's footprint around uvw, the mean over relief; MISSING where a tile is not resident. du, dv: as footprintOf of
+// include/footprint.glsl.
+vec3 pixelXyz(vec3 wi, vec3 uvw, vec3 du, vec3 dv, float lightVariance) {
     Footprint footprint = footprintOf(uvw, du, dv, wi, lightVariance, nextLevel);
     footprintCenter = vec4(footprint.center, footprint.level);
     footprintAxis = vec4(footprint.axis, footprint.taps);
@@ -80,8 +80,12 @@ vec2 quantile(vec2 probability) {
     return sign(x) * sqrt(2.0 * (sqrt(t * t - logs / 0.147) - t));
 }
 
-// Importance sampling: slopes are drawn from a normal distribution wider by this factor, and weighted, so that rare slopes that meet a
-// bright order are drawn more often.
+// Importance sampling. Half of the draws aim at the slope that mirrors the first light to the viewer, where a sharp order is far brighter than
+// others: their deviation is this share of the relief's.
+const float AIMED = 0.125;
+// Where that slope is too rare, more deviations from 0, draws are wider than the relief, so that rare slopes that meet other bright orders
+// are drawn more often.
+const float RAREST = 4.0;
 const float WIDER = 1.6;
 
 vec2 normalNumbers(ivec2 pixel, uvec2 steps) {
@@ -97,6 +101,25 @@ vec3 lightSample(vec3 wi, ivec2 pixel, float lightVariance) {
     vec2 numbers = sqrt(lightVariance) * normalNumbers(pixel, uvec2(1779033703u, 3144134277u));
     vec3 across = normalize(cross(wi, abs(wi.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
     return normalize(wi + numbers.x * across + numbers.y * cross(wi, across));
+}
+
+// Normal density of slopes, but for a factor.
+float density(vec2 slope, float deviation) {
+    return exp(-0.5 * dot(slope, slope) / (deviation * deviation)) / (deviation * deviation);
+}
+
+// A slope (xy), and its weight (z): its density over that of the draws. mirror: the slope that mirrors the first light to the viewer.
+vec3 slopeSample(vec2 numbers, vec2 mirror) {
+    if (slopeDeviation == 0.0) {
+        return vec3(0.0, 0.0, 1.0);
+    }
+    if (length(mirror) > RAREST * slopeDeviation) {
+        return vec3(WIDER * slopeDeviation * numbers, exp(-0.5 * (WIDER * WIDER - 1.0) * dot(numbers, numbers)));
+    }
+    float narrow = AIMED * slopeDeviation;
+    vec2 slope = (slopeDraw & 1) == 1 ? mirror + narrow * numbers : slopeDeviation * numbers;
+    float relief = density(slope, slopeDeviation);
+    return vec3(slope, 2.0 * relief / (relief + density(slope - mirror, narrow)));
 }
 
 // Tangent frame of relief with a slope, as columns in the skin's tangent frame.
@@ -144,8 +167,10 @@ void main() {
 #else
     // Roberts's sequence (2018).
     vec2 numbers = normalNumbers(pixel, uvec2(3242174889u, 2447445414u));
-    weight = slopeDeviation > 0.0 ? exp(-0.5 * (WIDER * WIDER - 1.0) * dot(numbers, numbers)) : 1.0;
-    mat3 relief = reliefFrame(WIDER * slopeDeviation * numbers);
+    vec3 both = max(vec3(-2.0, -2.0, 1e-3), lightTexel(firstLight, LIGHT_TOWARDS).xyz * frame + wr);
+    vec3 slope = slopeSample(numbers, both.xy / both.z);
+    weight = slope.z;
+    mat3 relief = reliefFrame(slope.xy);
 #endif
     // Linear Rec. 709. The body is lit by the lights' colors, as if by daylight; only diffracted light has the illuminant's spectrum.
     vec3 sum = vec3(0.0);
@@ -162,9 +187,10 @@ void main() {
             for (bool lit = hasPatch && isDiffracted(wi, wr); lit; lit = false) {
                 vec3 du = footprintScale * uvwChange(right, left, towards.xyz);
                 vec3 dv = footprintScale * uvwChange(above, below, towards.xyz);
-                vec3 xyz = pixelXyz(wi, wr, du, dv, towards.w);
+                ReliefMean mean = reliefMean(wi, wr, tabulatedSlopeVariance + slopeVariance);
+                vec3 xyz = pixelXyz(wi, mean.uvw, du, dv, towards.w);
                 coverage = xyz.y == MISSING ? MISSING_COVERAGE : coverage;
-                diffracted = xyz.y == MISSING ? vec3(0.0) : relativeRadiance(wi, wr) * xyz;
+                diffracted = xyz.y == MISSING ? vec3(0.0) : mean.gain * xyz;
             }
 #else
             vec3 from = towards.w > 0.0 ? lightSample(wi, pixel, towards.w) : wi;

@@ -24,3 +24,35 @@ float relativeRadiance(vec3 wi, vec3 wr) {
 #endif
     return radiance;
 }
+
+// Mean over relief finer than a pixel, whose slopes s are normally distributed, of relativeRadiance times a color: gain times the color's
+// mean over slopes at uvw.
+struct ReliefMean {
+    vec3 uvw;
+    float gain;
+};
+
+// Largest shift of the mean slope, in standard deviations. Only at grazing angles it would be larger, where the expansion fails.
+const float LARGEST_SHIFT = 1.0;
+
+// To second order in slopes of a variance along either axis. A normal distribution of slopes times exp(a . s), where a is the gradient of ln
+// relativeRadiance, is one with the mean slope variance a. A slope turns a direction x, so that x.z becomes (x.z + s . x.xy) / sqrt(1 + s . s),
+// whose logarithm has the gradient x.xy / x.z and the Laplacian -(x.xy / x.z)^2 - 2.
+ReliefMean reliefMean(vec3 wi, vec3 wr, float variance) {
+    vec3 sum = wi + wr;
+    vec3 lower = wi.z < wr.z ? wi : wr;
+    float masked = 4.0 * sum.z * lower.z < dot(sum, sum) ? 1.0 : 0.0;
+    vec2 ofSum = sum.xy / sum.z;
+    vec2 ofView = wr.xy / wr.z;
+    vec2 ofLower = lower.xy / lower.z;
+    vec2 gradient = (masked - 2.0) * ofSum - ofView + masked * ofLower;
+    float laplacian = (2.0 - masked) * dot(ofSum, ofSum) + dot(ofView, ofView) - masked * dot(ofLower, ofLower)
+            + 6.0 - 4.0 * masked;
+    float square = variance * dot(gradient, gradient);
+    float limit = min(1.0, LARGEST_SHIFT * inversesqrt(max(square, 1e-12)));
+    vec2 slope = limit * variance * gradient;
+    float growth = 0.5 * limit * limit * clamp(square + variance * laplacian, -1.0, 1.0);
+    vec3 uvw = diffractionVector(wi, wr);
+    vec3 turned = vec3(uvw.xy - slope * uvw.z, uvw.z + dot(slope, uvw.xy));
+    return ReliefMean(turned, relativeRadiance(wi, wr) * exp(growth));
+}

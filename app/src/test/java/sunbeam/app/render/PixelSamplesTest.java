@@ -145,16 +145,16 @@ class PixelSamplesTest extends InAContext {
     private static final double SIGMA = 1e-3;
     private static final int MOST_TAPS = 8;
     private static final String TEXT = """
-            #version 330 core
-            #include "include/footprint.glsl"
-            uniform vec3 du;
-            uniform vec3 dv;
-            layout(location = 0) out vec4 color;
-            void main() {
-                Footprint footprint = footprintOf(vec3(0.3, 0.2, -1.1), du, dv, vec3(0.0, 0.0, 1.0), 0.0, 0.0);
-                color = gl_FragCoord.x < 1.0 ? vec4(footprint.center, footprint.level) : vec4(footprint.axis, footprint.taps);
-            }
-            """;
+        #version 330 core
+        #include "include/footprint.glsl"
+        uniform vec3 du;
+        uniform vec3 dv;
+        layout(location = 0) out vec4 color;
+        void main() {
+            Footprint footprint = footprintOf(vec3(0.3, 0.2, -1.1), du, dv, vec3(0.0, 0.0, 1.0), 0.0, 0.0);
+            color = gl_FragCoord.x < 1.0 ? vec4(footprint.center, footprint.level) : vec4(footprint.axis, footprint.taps);
+        }
+        """;
 
     /** Level, number of taps, and change of u, v, w along them. */
     private record Footprint(int level, int taps, double[] axis) {
@@ -260,5 +260,68 @@ class PixelSamplesTest extends InAContext {
         assertThat(square.taps()).isEqualTo(nearly.taps());
         // The sides differ by less.
         assertThat(square.variance()).isCloseTo(nearly.variance(), within(1e-3 * nearly.variance()));
+    }
+
+    private static final String RELIEF = """
+        #version 330 core
+        #include "include/gain.glsl"
+        uniform vec3 wi;
+        uniform vec3 wr;
+        uniform float variance;
+        layout(location = 0) out vec4 color;
+        void main() {
+            ReliefMean mean = reliefMean(wi, wr, variance);
+            color = vec4(mean.uvw, mean.gain / relativeRadiance(wi, wr));
+        }
+        """;
+
+    private static Vector3f direction(double theta, double phi) {
+        double sine = Math.sin(Math.toRadians(theta));
+        double azimuth = Math.toRadians(phi);
+        return new Vector3f((float) (sine * Math.cos(azimuth)), (float) (sine * Math.sin(azimuth)), (float)
+                Math.cos(Math.toRadians(theta)));
+    }
+
+    /** Relative radiance under the normal (x, y, 1), but for factors that no turn changes. */
+    private static double radiance(Vector3f wi, Vector3f wr, double x, double y) {
+        Vector3f normal = new Vector3f((float) x, (float) y, 1).normalize();
+        Vector3f sum = new Vector3f(wi).add(wr);
+        double sumZ = normal.dot(sum);
+        double wrZ = normal.dot(wr);
+        return Math.min(sum.lengthSquared(), 4 * sumZ * Math.min(normal.dot(wi), wrZ)) / (sumZ * sumZ * wrZ);
+    }
+
+    /** Beside a sum over slopes of 3 degrees, which weighs each by its radiance; away from the mask's edge, where its mean is lower. */
+    @ParameterizedTest
+    @CsvSource({"20, 0, 65, 40", "60, 0, 70, 180", "10, 90, 72, 0"})
+    void slopesThatShineMoreCountMore(double thetaI, double phiI, double thetaR, double phiR) {
+        double deviation = Math.toRadians(3);
+        Vector3f wi = direction(thetaI, phiI);
+        Vector3f wr = direction(thetaR, phiR);
+        double sum = 0;
+        double[] slope = new double[2];
+        double weights = 0;
+        for (double x = -3.95; x < 4; x += 0.1) {
+            for (double y = -3.95; y < 4; y += 0.1) {
+                double weight = Math.exp(-0.5 * (x * x + y * y));
+                double shone = weight * radiance(wi, wr, deviation * x, deviation * y);
+                weights += weight;
+                sum += shone;
+                slope[0] += shone * deviation * x;
+                slope[1] += shone * deviation * y;
+            }
+        }
+
+        float[] mean = drawn(RELIEF, 1, 1, Map.of(), program -> {
+            program.set("wi", wi);
+            program.set("wr", wr);
+            program.set("variance", (float) (deviation * deviation));
+        });
+
+        // Third order: a percent of the gain, and of the mean slope a tenth of the deviation.
+        assertThat(mean[3]).isCloseTo((float) (sum / weights / radiance(wi, wr, 0, 0)), within(0.01f));
+        float w = -wi.z - wr.z;
+        assertThat((-wi.x - wr.x - mean[0]) / w).isCloseTo((float) (slope[0] / sum), within((float) (0.1 * deviation)));
+        assertThat((-wi.y - wr.y - mean[1]) / w).isCloseTo((float) (slope[1] / sum), within((float) (0.1 * deviation)));
     }
 }

@@ -11,6 +11,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -213,16 +214,20 @@ class RadialBakerTest {
     private static final double FARTHEST = 4;
     private static final int SIDE = 36;
 
-    /** The mean over slopes, by a sum over an even grid of them. */
+    /** The mean over slopes, by a sum over an even grid of them: (u, v, w) in the frame of the normal (x, y, 1), whose y axis has no x. */
     private static double[] mean(RadialBaker points, double[] place) {
         double[] weights = new double[SIDE * SIDE];
-        float[] tilted = samples(weights.length, i -> {
+        Vector3D uvw = new Vector3D(place[0], place[1], place[2]);
+        float[] turned = samples(weights.length, i -> {
             double x = FARTHEST * ((i % SIDE + 0.5) / SIDE * 2 - 1);
             double y = FARTHEST * ((Math.floorDiv(i, SIDE) + 0.5) / SIDE * 2 - 1);
             weights[i] = Math.exp(-0.5 * (x * x + y * y));
-            return new double[] {place[0] + x * SLOPES * place[2], place[1] + y * SLOPES * place[2], place[2]};
+            Vector3D normal = new Vector3D(SLOPES * x, SLOPES * y, 1).normalize();
+            Vector3D across = normal.crossProduct(Vector3D.PLUS_I).normalize();
+            Vector3D along = across.crossProduct(normal);
+            return new double[] {along.dotProduct(uvw), across.dotProduct(uvw), normal.dotProduct(uvw)};
         });
-        float[] colors = points.direct().bake(tilted, ColorBaker.Token.NONE);
+        float[] colors = points.direct().bake(turned, ColorBaker.Token.NONE);
         double[] sum = new double[3];
         for (int i = 0; i < colors.length; i++) {
             sum[i % 3] += weights[i / 3] * colors[i];
@@ -237,8 +242,7 @@ class RadialBakerTest {
         ColorTable table = ColorTable.within(1e-2, AREA, map.relief(), false, SLOPES);
         PowerSpectrum slopeSpectrum = spectrum(map, AREA, table.widest(), 1e-4);
         CieTable cie = CieTable.load();
-        SlopeBaker colors =
-                new SlopeBaker(slopeSpectrum, cie, new SlopeBaker.GaussianPyramid(slopeSpectrum, table), table, 0);
+        SlopeBaker colors = new SlopeBaker(slopeSpectrum, cie, new GaussianPyramid(slopeSpectrum, table), table, 0);
         RadialBaker points = new RadialBaker(slopeSpectrum, cie, AREA, new TableDesign(0.01, 21), 2, true);
         // The mirror direction, its flank at two and three deviations, orders, and grazing directions.
         List<double[]> places = List.of(
@@ -251,9 +255,8 @@ class RadialBakerTest {
             float[] found = colors.bake(samples(1, i -> place), ColorBaker.Token.NONE);
             double[] mean = mean(points, place);
             for (int c = 0; c < 3; c++) {
-                // Cubic polynomials between windows and quadratic splines between frequencies: a thousandth each where
-                // it is bright, half a percent on flanks.
-                assertThat((double) found[c]).isCloseTo(mean[c], within(0.007 * Math.max(mean[1], mean[c])));
+                // Third order of slopes: 1.5 % where w changes most. Without the turn of w colors err by 3 % and more.
+                assertThat((double) found[c]).isCloseTo(mean[c], within(0.02 * Math.max(mean[1], mean[c])));
             }
         }
     }

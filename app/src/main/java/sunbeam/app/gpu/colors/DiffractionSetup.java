@@ -53,6 +53,9 @@ public record DiffractionSetup(
         ValidatedTable.Diagnostics diagnostics,
         ProgressDisplay progress)
         implements TableSources {
+    // Version of the colors that bakers compute, in the key of cached tiles.
+    private static final int BAKING = 2;
+
     /** Prints the patch's notes. */
     public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
         this(
@@ -188,8 +191,9 @@ public record DiffractionSetup(
     }
 
     private static String tilesKey(ColorTablePlan plan) {
-        return "tiles " + ShaderTablesFile.VERSION + "|" + plan.plan().key(MethodUse.COLOR) + "|" + plan.tolerance()
-                + "|" + plan.spectrum().map(SpectrumPlan::key).orElse("");
+        return "tiles " + BAKING + "|" + ShaderTablesFile.VERSION + "|"
+                + plan.plan().key(MethodUse.COLOR) + "|" + plan.tolerance() + "|"
+                + plan.spectrum().map(SpectrumPlan::key).orElse("");
     }
 
     /** Not cached, because the colors that need it take longer. */
