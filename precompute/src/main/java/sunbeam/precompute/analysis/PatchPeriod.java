@@ -56,8 +56,9 @@ record PatchPeriod(HeightMap scan, Hypothesis asked) {
             return period;
         }
         GratingPeriod piece = seen();
-        // A lattice's waves cross each other: only a sure piece holds more of them.
-        boolean found = piece.isSure() || (piece.isSeen() && period.others().isEmpty());
+        // Lines within a period run along its own: only a sure piece holds others, or more of a lattice's.
+        boolean isParallel = period.others().isEmpty() && piece.wave().sineTo(period.wave()) < GratingPeriod.CONE;
+        boolean found = piece.isSure() || (piece.isSeen() && isParallel);
         return found && period.period() > MANY_LINES * piece.period() ? piece : period;
     }
 

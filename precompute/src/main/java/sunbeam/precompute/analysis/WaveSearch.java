@@ -35,13 +35,20 @@ record WaveSearch(
     private static final double HANN_BINS = 1.5;
     // Ratio of frequencies: a sum of two waves is finer than both, but for the third direction of a hexagonal lattice.
     private static final double COARSER = 0.95;
-    // Powers relative to the overtone's: a fifth of the amplitude (uneven lines have up to 0.033), and one that needs
-    // no
-    // other evidence.
-    private static final double FAINTEST_FUNDAMENTAL = 0.04;
+    // Power of a fundamental relative to the overtone's: one that needs no other evidence, and a fifth of the
+    // amplitude.
     private static final double LEAST_FUNDAMENTAL = 0.25;
+    private static final double WEAK_FUNDAMENTAL = 0.04;
     private static final double SIGNIFICANT = 40;
     private static final double PROMINENT = 10;
+    // Of a fainter fundamental: uneven lines have a random power between their orders, exponentially distributed, whose
+    // maximum of four bins
+    // exceeds 16 times the median in 6 of 100,000 scans; a median of three bins, which six periods have beside them,
+    // may be three times lower.
+    private static final double FAINT_PROMINENT = 50;
+    private static final double FEWEST_OF_FAINT = 6;
+    // Power: a twentieth of the amplitude. Leveling and windows leave less of a pure wave between its orders.
+    private static final double FAINTEST_FUNDAMENTAL = 0.0025;
     // Random surfaces with a ring as spectrum reach 7, gratings and lattices 11 and more.
     static final double LEAST_CONTRAST = 10;
     // Sectors of 15 degrees in half a turn: rows of a snake's scale stray by 8.
@@ -205,15 +212,28 @@ record WaveSearch(
                 .orElse(1);
     }
 
+    /** Whether a fundamental is there; of many periods its overtone, too, which may outshine it where one line in three differs. */
     private boolean isFundamental(SpatialFrequency below, SpatialFrequency wave, int count) {
         List<SpatialFrequency> overtones =
                 IntStream.range(1, 2 * count).mapToObj(below::times).toList();
-        boolean strong = top(below) >= LEAST_FUNDAMENTAL * top(wave) && contrast(below) >= LEAST_CONTRAST;
+        double periods = below.periodsIn(scan);
+        int lines = periods < FEWEST_OF_FAINT ? 1 : count - 1;
         return which.test(below)
-                && below.periodsIn(scan) >= FEWEST_PERIODS
-                && isPeak(below)
-                && top(below) >= FAINTEST_FUNDAMENTAL * top(wave)
-                && (strong || (significance(below) >= SIGNIFICANT && prominence(below, overtones) >= PROMINENT));
+                && periods >= FEWEST_PERIODS
+                && overtones.subList(0, lines).stream().anyMatch(line -> isLine(line, wave, overtones, periods));
+    }
+
+    private boolean isLine(
+            SpatialFrequency line, SpatialFrequency wave, List<SpatialFrequency> others, double periods) {
+        double power = top(line) / top(wave);
+        boolean isFaint = power < WEAK_FUNDAMENTAL;
+        if (!isPeak(line) || power < FAINTEST_FUNDAMENTAL || (isFaint && periods < FEWEST_OF_FAINT)) {
+            return false;
+        }
+        if (power >= LEAST_FUNDAMENTAL && contrast(line) >= LEAST_CONTRAST) {
+            return true;
+        }
+        return significance(line) >= SIGNIFICANT && prominence(line, others) >= (isFaint ? FAINT_PROMINENT : PROMINENT);
     }
 
     private boolean isPeak(SpatialFrequency wave) {

@@ -79,6 +79,12 @@ class VerdictTest {
                         scan(
                                 Surfaces.of(120, 40, 50e-9, (x, y) -> 0.3 * sine(x, 2e-6) + 1.6 * sine(x, 1e-6)),
                                 Patch.Repetition.PERIODIC)),
+                // The flat top of a lamella is no field of lines.
+                Arguments.of(
+                        "A repeated patch with a period of 2\\.5 um across 0 degrees.*",
+                        scan(
+                                Surfaces.of(128, 32, 2.5e-6 / 128, (x, y) -> x < 1.25e-6 ? 137.5e-9 : 0),
+                                Patch.Repetition.PERIODIC)),
                 // Lines 120 nm apart have no waves of 190 nm or more, the range of visible light.
                 Arguments.of(
                         "No order found: most of the relief is finer than light resolves.*",
@@ -90,6 +96,13 @@ class VerdictTest {
                 Arguments.of(
                         "A grating of (2\\.99|3\\.00).* across 0 degrees, overlaid by lines of about 1 um across 0 degrees:.*",
                         piece((x, y) -> sine(x, 1e-6) + 0.4 * sine(x, 3e-6))),
+                // One line in three or two differs by a tenth.
+                Arguments.of(
+                        "A grating of 1\\.(79|80).* across 0 degrees, overlaid by lines of about 600 nm across 0 degrees:.*",
+                        piece((x, y) -> sine(x, 0.6e-6) + 0.1 * sine(x, 0.9e-6))),
+                Arguments.of(
+                        "A grating of 2\\.(39|40).* across 0 degrees, overlaid by lines of about 1\\.2 um across 0 degrees:.*",
+                        piece((x, y) -> sine(x, 1.2e-6) + 0.1 * sine(x, 2.4e-6))),
                 // Too few samples, or too small a field, to see lines three times.
                 Arguments.of(
                         "Too little to judge: 7 x 4 samples.*",
