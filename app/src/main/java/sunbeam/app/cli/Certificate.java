@@ -203,8 +203,8 @@ public record Certificate(
     }
 
     /**
-     * Compares pixels that the mesh fills with the mean of many points; at edges only the number of samples decides. Of a surface with relief
-     * finer than a pixel, each of whose points is a mean of many slopes, pixels are compared with fewer points first.
+     * Compares pixels that the mesh fills with the mean of many points; at edges only the number of samples decides. A surface with relief
+     * finer than a pixel has many slopes at each point, so its pixels are compared with fewer points first.
      */
     public record SceneCertifier(int width, int height, PixelSamples samples) {
         /** Points along a pixel's side; 256 in all. */

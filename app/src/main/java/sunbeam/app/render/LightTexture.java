@@ -56,7 +56,7 @@ final class LightTexture implements AutoCloseable {
     private final float[] texels = new float[CHANNELS * ROWS * LightList.MOST];
     private Shown shown;
 
-    /** What casts shadows, in world space. */
+    /** Meshes that cast shadows, and the sphere around them, in world space. */
     record Casters(List<RenderItem> items, BoundingSphere bounds) {}
 
     /** Input of the maps: equal inputs draw equal maps. */

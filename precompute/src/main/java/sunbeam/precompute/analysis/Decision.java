@@ -4,8 +4,8 @@ import java.util.Arrays;
 import sunbeam.precompute.analysis.GratingPeriod.Certainty;
 
 /**
- * Table of decisions on a wave: of its rows, in this order, the first whose condition holds decides. Of surfaces without order, at most 1 in 200
- * may be called sure and 3 in 100 probable, which {@code KnownSurfaceTest} counts. docs/evaluation.md prints the table.
+ * Table of decisions on a wave: of its rows, in this order, the first whose condition holds decides. {@code KnownSurfaceTest} counts that at most
+ * 1 in 200 surfaces without order are called sure and 3 in 100 probable. docs/evaluation.md prints the table.
  */
 enum Decision {
     FINE_RELIEF(Certainty.NONE),

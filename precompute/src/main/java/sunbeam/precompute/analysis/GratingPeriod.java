@@ -52,7 +52,7 @@ public record GratingPeriod(
 
     /**
      * Returns the period of the strongest wave whose period, meters, lies within limits and whose azimuth, across the lines, is the given one if
-     * any, radians counter-clockwise from +x. It is tested alone: only the waves that are asked for compete with it.
+     * any, radians counter-clockwise from +x. It is tested alone: only waves of these periods and directions compete with it.
      */
     public static GratingPeriod among(Patch patch, OptionalDouble azimuth, double shortest, double longest) {
         return PatchPeriod.of(patch, new Hypothesis(azimuth, shortest, longest));

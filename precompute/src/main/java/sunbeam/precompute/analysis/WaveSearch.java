@@ -41,10 +41,9 @@ record WaveSearch(
     private static final double WEAK_FUNDAMENTAL = 0.04;
     private static final double SIGNIFICANT = 40;
     private static final double PROMINENT = 10;
-    // Of a fainter fundamental: uneven lines have a random power between their orders, exponentially distributed, whose
-    // maximum of four bins
-    // exceeds 16 times the median in 6 of 100,000 scans; a median of three bins, which six periods have beside them,
-    // may be three times lower.
+    // A fainter fundamental must exceed chance. Uneven lines have a random, exponentially distributed power between
+    // their orders, whose maximum of four bins exceeds 16 times the median in 6 of 100,000 scans. A median of three
+    // bins, as six periods have beside them, may be three times too low.
     private static final double FAINT_PROMINENT = 50;
     private static final double FEWEST_OF_FAINT = 6;
     // Power: a twentieth of the amplitude. Leveling and windows leave less of a pure wave between its orders.

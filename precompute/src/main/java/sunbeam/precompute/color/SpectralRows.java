@@ -49,7 +49,7 @@ record SpectralRows(NavigableMap<Double, Double> power) {
             return nanometers -> Lagrange.between(power, nanometers);
         }
         DoubleUnaryOperator smooth = longest - shortest <= EQUAL * longest ? sprague(rows[0], longest) : spline(rows);
-        // Beside steep flanks polynomials swing around zero; but no power is negative, and none is between dark rows.
+        // Polynomials swing around zero beside steep flanks, but no power is negative, and none is between dark rows.
         return nanometers -> isDark(nanometers) ? 0 : Math.max(0, smooth.applyAsDouble(nanometers));
     }
 
