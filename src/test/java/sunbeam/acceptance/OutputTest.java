@@ -53,6 +53,21 @@ class OutputTest extends InWorkplace {
         assertThat(brightness("lit.png")).isGreaterThan(brightness("dim.png"));
     }
 
+    @Test
+    void aPictureIsTheSameOnAMachineWithoutAnyFont() throws Exception {
+        workplace.command("inspect blaze --output here.png").run().ended(0);
+        // Java keeps a list of the system's fonts in the user's home.
+        Path home = Files.createDirectory(workplace.resolve("home"));
+        Path fonts = Files.writeString(home.resolve("fonts.conf"), "<fontconfig/>");
+        workplace
+                .command("inspect blaze --output there.png")
+                .with("HOME", home.toString())
+                .with("FONTCONFIG_FILE", fonts.toString())
+                .run()
+                .ended(0);
+        assertThat(workplace.resolve("there.png")).hasSameBinaryContentAs(workplace.resolve("here.png"));
+    }
+
     private long brightness(String name) throws IOException {
         var image = ImageIO.read(workplace.resolve(name).toFile());
         return IntStream.of(image.getRGB(0, 0, 9, 9, null, 0, 9))

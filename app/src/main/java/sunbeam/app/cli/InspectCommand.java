@@ -101,6 +101,7 @@ public final class InspectCommand extends FileCommand {
 
     private record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines) {
         private static final int PANEL_WIDTH = 860;
+        private static final int LABELS = 90;
         private static final int PICTURE_HEIGHT = 720;
         private static final int PLOT_HEIGHT = 420;
         private static final int HISTOGRAM_BINS = 100;
@@ -120,7 +121,7 @@ public final class InspectCommand extends FileCommand {
             Sheet sheet = new Sheet(2 * PANEL_WIDTH)
                     .heading(inspection.patch().name() + ": "
                             + inspection.verdict().sentence());
-            lines.forEach(line -> sheet.text(line, Sheet.TABLE_FONT));
+            lines.forEach(line -> sheet.labeled(line, LABELS));
             return sheet;
         }
 

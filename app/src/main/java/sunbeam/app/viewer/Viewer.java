@@ -24,6 +24,7 @@ import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import jrtr.GraphicsException;
+import sunbeam.app.files.plot.PlotFont;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
@@ -158,6 +159,7 @@ public final class Viewer {
         BackgroundTask<LoadedScene> first = shape.then(() -> LoadedScene.load(loader, scene, shape));
         try {
             SwingUtilities.invokeAndWait(() -> {
+                PlotFont.provide();
                 FlatDarkLaf.setup();
                 viewer.set(new Viewer(
                         scene,

@@ -36,7 +36,7 @@ public final class MapAnnotation {
         this.map = map;
         this.light = light;
         this.size = map.getWidth();
-        this.font = new Font(Font.SANS_SERIF, Font.PLAIN, Math.max(SMALLEST_FONT, size / 36));
+        this.font = PlotFont.plain(Math.max(SMALLEST_FONT, size / 36));
         this.margin = 3 * font.getSize();
         this.caption = String.join("\n", caption)
                 + "\ncircle: light; cross: mirror direction; rings: every 15\u00b0 from the normal";

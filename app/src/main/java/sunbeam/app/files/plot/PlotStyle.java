@@ -68,9 +68,9 @@ public final class PlotStyle {
     /** Vermillion, which is visible on dark and on light. */
     static final Color MARK = new Color(0xD55E00);
 
-    static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
-    static final Font LABEL_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 16);
-    static final Font TICK_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
+    static final Font TITLE_FONT = PlotFont.bold(18);
+    static final Font LABEL_FONT = PlotFont.plain(16);
+    static final Font TICK_FONT = PlotFont.plain(14);
     static final Color OUTLINE = new Color(0x888888);
     private static final Color GRID = new Color(0xDDDDDD);
     private static final double MARGIN = 16;

@@ -21,9 +21,7 @@ import org.jfree.chart.ui.HorizontalAlignment;
 
 /** White page of a report, filled from top to bottom with headings, paragraphs broken into lines, and rows of pictures. */
 public final class Sheet {
-    public static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
-    /** Font of fixed width for columns of values. */
-    public static final Font TABLE_FONT = new Font(Font.MONOSPACED, Font.PLAIN, 15);
+    public static final Font FONT = PlotFont.plain(14);
 
     private static final int MARGIN = 24;
     private static final int GAP = 8;
@@ -83,6 +81,17 @@ public final class Sheet {
         return part(height(block) + GAP, graphics -> draw(block, graphics, MARGIN, GAP));
     }
 
+    /** Adds a line whose first word, if blanks follow that align it in a terminal, stands before the others' column. */
+    public Sheet labeled(String line, int column) {
+        String[] parts = line.split(" {2,}", 2);
+        String label = parts.length > 1 ? parts[0] : "";
+        TextBlock block = block(parts[parts.length - 1], FONT, width - 2 * MARGIN - column);
+        return part(height(block) + GAP, graphics -> {
+            draw(block(label, FONT, column), graphics, MARGIN, GAP);
+            draw(block, graphics, MARGIN + column, GAP);
+        });
+    }
+
     public Sheet row(BufferedImage... pictures) {
         int height =
                 Arrays.stream(pictures).mapToInt(BufferedImage::getHeight).max().orElseThrow();
@@ -130,7 +139,12 @@ public final class Sheet {
     static TextBlock block(String text, Font font, int width) {
         Graphics2D measuring = measuring(font);
         TextBlock block = TextUtils.createTextBlock(
-                text, font, PlotStyle.INK, width, Integer.MAX_VALUE, new G2TextMeasurer(measuring));
+                text,
+                PlotFont.with(font, text),
+                PlotStyle.INK,
+                width,
+                Integer.MAX_VALUE,
+                new G2TextMeasurer(measuring));
         block.setLineAlignment(HorizontalAlignment.LEFT);
         measuring.dispose();
         return block;
@@ -177,7 +191,8 @@ public final class Sheet {
                 Thumbnail cell = cells.get(i);
                 graphics.setColor(cell.picture().isPresent() ? PlotStyle.INK : FAILURE);
                 cell.picture().ifPresent(picture -> graphics.drawImage(picture, x, CELL_GAP, null));
-                graphics.setFont(FONT.deriveFont(Font.BOLD));
+                graphics.setFont(PlotFont.bold(FONT.getSize()));
+                graphics.setFont(PlotFont.with(graphics.getFont(), cell.name()));
                 String name = fittedName(cell.name(), graphics.getFont(), CELL - CELL_GAP);
                 graphics.drawString(name, x, CELL_GAP + pictures + line - 4);
                 draw(sentences.get(i), graphics, x, CELL_GAP + pictures + line);
