@@ -1,12 +1,26 @@
 @echo off
-rem Starts Sunbeam on Windows.
-setlocal
-set JAVA=java
-rem A path may hold blanks and signs that have a meaning here, and quotes of its own.
-if defined JAVA_HOME set "JAVA=%JAVA_HOME:"=%\bin\java"
-"%JAVA%" -version >nul 2>&1
-if errorlevel 1 (
-    echo sunbeam: there is no Java: install Java 17 or newer, or set JAVA_HOME 1>&2
-    exit /b 7
-)
-"%JAVA%" -XX:+DisplayVMOutputToStderr --enable-native-access=ALL-UNNAMED -Dfile.encoding=UTF-8 -XX:MaxRAMPercentage=50 %SUNBEAM_JAVA_OPTIONS% -cp "%~dp0lib\*" sunbeam.app.Main %*
+rem Starts Sunbeam on Windows: without arguments, as by a double click, the viewer without a console; else a command.
+rem A path may hold blanks and signs that have a meaning here, and quotes of its own: no variable is used outside of quotes, and none
+rem in a block, whose parentheses a path could close.
+setlocal DisableDelayedExpansion
+set "java=java"
+set "window=javaw"
+if not defined JAVA_HOME goto bundled
+set "java=%JAVA_HOME:"=%\bin\java"
+set "window=%JAVA_HOME:"=%\bin\javaw"
+:bundled
+if not exist "%~dp0java\bin\java.exe" goto found
+set "java=%~dp0java\bin\java"
+set "window=%~dp0java\bin\javaw"
+:found
+"%java%" "@%~dp0lib\java.options" -version >nul 2>&1
+if not errorlevel 1 goto start
+echo sunbeam: there is no Java that will do: install Java 17 or newer, or set JAVA_HOME 1>&2
+if "%~1"=="" pause
+exit /b 7
+:start
+if "%~1"=="" goto window
+"%java%" "@%~dp0lib\java.options" %SUNBEAM_JAVA_OPTIONS% -cp "%~dp0lib\*" sunbeam.app.Main %*
+exit /b %errorlevel%
+:window
+start "" "%window%" "@%~dp0lib\java.options" -Dsunbeam.dialog=true %SUNBEAM_JAVA_OPTIONS% -cp "%~dp0lib\*" sunbeam.app.Main view

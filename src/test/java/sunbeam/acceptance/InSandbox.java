@@ -38,7 +38,10 @@ abstract class InSandbox {
                 "data/color.csv")) {
             write(repository().resolve(source), "");
         }
-        Files.copy(Sunbeam.repository().resolve("sunbeam"), launcher());
+        for (String part : List.of("sunbeam", "app/src/archive/archive.sh")) {
+            Files.createDirectories(repository().resolve(part).getParent());
+            Files.copy(Sunbeam.repository().resolve(part), repository().resolve(part));
+        }
         installJava("jdk", "17.0.1");
         installMaven();
     }

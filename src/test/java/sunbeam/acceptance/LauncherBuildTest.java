@@ -130,23 +130,6 @@ class LauncherBuildTest extends InSandbox {
         assertThat(builds()).isZero();
     }
 
-    @Test
-    void anArchiveIsNamedOnceItIsBuilt() throws Exception {
-        installMaven("mkdir -p app/target && touch app/target/sunbeam-0.1.0-portable.zip");
-
-        SunbeamResult result = command("archive").run().ended(0);
-        assertThat(result.stdout().strip()).endsWith("/app/target/sunbeam-0.1.0-portable.zip");
-    }
-
-    @Test
-    void anArchiveThatFailsNamesTheLog() throws Exception {
-        installMaven("exit 1");
-
-        SunbeamResult result = command("archive").run().ended(SET_UP_FAILED);
-        assertThat(result.stderr()).contains("no archives were built", "launcher-build.log");
-        assertThat(result.stdout()).isEmpty();
-    }
-
     private SunbeamResult runWithoutMavenAndXvfb(String command) throws Exception {
         Files.deleteIfExists(folder.resolve("programs/mvn"));
         return command(command)

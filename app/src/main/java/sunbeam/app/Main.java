@@ -1,8 +1,10 @@
 package sunbeam.app;
 
 import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.charset.Charset;
 import java.util.Locale;
+import javax.swing.JOptionPane;
 import jrtr.gl.DisplayFaults;
 import sunbeam.app.cli.program.Sunbeam;
 import sunbeam.app.terminal.Environment;
@@ -25,9 +27,15 @@ public final class Main {
         // Numbers in files have the digits 0 to 9 in every locale; Swing's texts keep the user's language.
         Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
         PrintWriter out = new PrintWriter(System.out, true, Charset.defaultCharset());
-        PrintWriter err = new PrintWriter(System.err, true, Charset.defaultCharset());
+        boolean hasNoConsole = Boolean.getBoolean("sunbeam.dialog"); // the start script's
+        StringWriter errors = new StringWriter();
+        PrintWriter err =
+                hasNoConsole ? new PrintWriter(errors) : new PrintWriter(System.err, true, Charset.defaultCharset());
         DisplayFaults.onLoss(() -> endWithoutScreen(HarmlessWriter.around(err)));
         int code = new Sunbeam(Environment.ofProcess(), out, err).run(arguments);
+        if (hasNoConsole && code != 0) {
+            JOptionPane.showMessageDialog(null, errors, "Sunbeam", JOptionPane.ERROR_MESSAGE);
+        }
         System.exit(code);
     }
 

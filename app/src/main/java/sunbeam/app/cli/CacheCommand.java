@@ -25,8 +25,8 @@ import sunbeam.precompute.text.Text;
         name = "cache",
         header = "List, limit or clear the tables that are kept.",
         description =
-                "Tables that took time to make, and textures and heights that the program makes itself, are kept in a folder, $XDG_CACHE_HOME/sunbeam or else"
-                        + " ~/.cache/sunbeam, and read again when the same is needed. Without an option, lists them, those used last"
+                "Tables that took time to make, and textures and heights that the program makes itself, are kept in the folder that"
+                        + " sunbeam --help names, and read again when the same is needed. Without an option, lists them, those used last"
                         + " first: size, when it was last used, for which surface it was made, and what it is. They take 2 GB at most, or"
                         + " as much as the variable SUNBEAM_CACHE_LIMIT says. Removing them costs time only; other processes that use one go on with it.",
         footer = {"  sunbeam cache --clear"})

@@ -54,7 +54,7 @@ enum Action {
         divider.move(divider.share() + Action.STEP_SHARE * right(stroke));
     }),
     LOAD_SCENE(Group.FILE, "load a scene", "ctrl O", viewer -> viewer.files.load(Kind.SCENE)),
-    LOAD_PATCH(Group.FILE, "load a patch", "ctrl L", viewer -> viewer.files.load(Kind.PATCH)),
+    LOAD_PATCH(Group.FILE, "open a scan or another patch", "ctrl L", viewer -> viewer.files.load(Kind.PATCH)),
     LOAD_MESH(Group.FILE, "load a mesh", "ctrl M", viewer -> viewer.files.load(Kind.MESH)),
     LOAD_TEXTURE(Group.FILE, "load a texture", "ctrl T", viewer -> viewer.files.load(Kind.TEXTURE)),
     SAVE_SCENE(Group.FILE, "save the scene", "ctrl S", viewer -> viewer.files.saveScene()),

@@ -160,6 +160,8 @@ public final class Viewer {
         try {
             SwingUtilities.invokeAndWait(() -> {
                 PlotFont.provide();
+                // FlatLaf would draw its own frame on Windows, where that of the system is as good and also fits Wine.
+                System.setProperty("flatlaf.useWindowDecorations", "false");
                 FlatDarkLaf.setup();
                 viewer.set(new Viewer(
                         scene,

@@ -33,8 +33,9 @@ import sunbeam.precompute.plan.ShaderTablesFile;
 import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 
 /**
- * Cache folder, whose files can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base Directory
- * Specification 0.8, which ignores a relative XDG_CACHE_HOME).
+ * Cache folder, whose files can be computed again: {@code $XDG_CACHE_HOME/sunbeam} (XDG Base Directory Specification 0.8, which ignores a
+ * relative one), else in the folder of caches that the system has: {@code %LOCALAPPDATA%} on Windows, {@code ~/Library/Caches} on macOS,
+ * {@code ~/.cache} elsewhere.
  *
  * @param allowed limit of the size as the environment states it; empty for {@link #STANDARD_LIMIT}
  */
@@ -67,10 +68,22 @@ public record CacheFolder(Path path, String allowed) {
     private static final Set<PosixFilePermission> OWNERS_FOLDER = PosixFilePermissions.fromString("rwx------");
 
     public static CacheFolder of(Environment environment) {
-        String variable = environment.variable("XDG_CACHE_HOME");
-        boolean absolute = !variable.isEmpty() && Path.of(variable).isAbsolute();
-        Path base = absolute ? Path.of(variable) : environment.home().resolve(".cache");
+        return of(environment, System.getProperty("os.name"));
+    }
+
+    static CacheFolder of(Environment environment, String system) {
+        Path home = environment.home();
+        Path standard = home.resolve(system.startsWith("Mac") ? "Library/Caches" : ".cache");
+        if (system.startsWith("Windows")) {
+            standard = absolute(environment, "LOCALAPPDATA").orElseGet(() -> home.resolve("AppData/Local"));
+        }
+        Path base = absolute(environment, "XDG_CACHE_HOME").orElse(standard);
         return new CacheFolder(base.resolve("sunbeam"), environment.variable(LIMIT));
+    }
+
+    private static Optional<Path> absolute(Environment environment, String variable) {
+        String value = environment.variable(variable);
+        return value.isEmpty() ? Optional.empty() : Optional.of(Path.of(value)).filter(Path::isAbsolute);
     }
 
     /** Creates the folder if it is missing; empty, with one line of warning, if it takes no files. */

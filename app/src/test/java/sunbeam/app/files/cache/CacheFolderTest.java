@@ -41,6 +41,17 @@ final class CacheFolderTest {
     }
 
     @Test
+    void liesWhereTheSystemKeepsCaches() {
+        Path local = home.resolve("local");
+        Environment environment = new Environment(Map.of("LOCALAPPDATA", local.toString()), home);
+        assertThat(CacheFolder.of(environment, "Windows 11").path()).isEqualTo(local.resolve("sunbeam"));
+        assertThat(CacheFolder.of(new Environment(Map.of(), home), "Windows 11").path())
+                .isEqualTo(home.resolve("AppData/Local/sunbeam"));
+        assertThat(CacheFolder.of(environment, "Mac OS X").path()).isEqualTo(home.resolve("Library/Caches/sunbeam"));
+        assertThat(CacheFolder.of(environment, "Linux").path()).isEqualTo(home.resolve(".cache/sunbeam"));
+    }
+
+    @Test
     void leastRecentlyUsedFilesAreDeletedFirst() throws IOException {
         CacheFolder cache = cache(Map.of());
         Path path = cache.open(warnings::add).orElseThrow();
