@@ -36,12 +36,15 @@ choose_runtime() { # the folder as the user named it
     runtime=$(readlink -f "$runtime") || true
     [[ -f $runtime/release && -r $runtime/release && -n $(compgen -G "$runtime/bin/java*") ]] \
         || stop $USAGE "--with-java $1: there is no Java in this folder: give one that holds bin/java and the file release"
-    local release
+    local release module
     release=$(<"$runtime/release")
     [[ $release =~ JAVA_VERSION=\"([0-9]+) && ${BASH_REMATCH[1]} -ge $OLDEST_JAVA ]] \
         || stop $USAGE "--with-java $1: this Java is older than $OLDEST_JAVA: give a newer one"
-    [[ $release != *MODULES=* || $release == *java.desktop* ]] \
-        || stop $USAGE "--with-java $1: this Java has no java.desktop, which windows and pictures need: give one that has"
+    # As jdeps lists them; a release file without modules is that of a whole Java.
+    for module in java.desktop java.sql jdk.management jdk.unsupported; do
+        [[ $release != *MODULES=* || $release =~ [\"\ ]$module[\"\ ] ]] \
+            || stop $USAGE "--with-java $1: this Java has no $module, which the program needs: give one that has"
+    done
     find_system "$runtime"
     options=("-Dsunbeam.java=$runtime" "-Dsunbeam.system=$system")
 }

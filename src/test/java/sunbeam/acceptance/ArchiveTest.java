@@ -44,7 +44,10 @@ class ArchiveTest extends InSandbox {
     })
     void aRuntimesSystemIsReadFromItsProgram(String system, String program, String machine) throws Exception {
         installMaven("mkdir -p app/target && touch app/target/sunbeam-0.1.0-" + system + ".zip");
-        Path runtime = runtime(program, machine, "JAVA_VERSION=\"21.0.1\"\nMODULES=\"java.base java.desktop\"\n");
+        Path runtime = runtime(
+                program,
+                machine,
+                "JAVA_VERSION=\"21.0.1\"\nMODULES=\"java.base java.desktop java.sql jdk.management jdk.unsupported\"\n");
 
         SunbeamResult result =
                 command("archive", "--with-java", runtime.toString()).run().ended(0);
