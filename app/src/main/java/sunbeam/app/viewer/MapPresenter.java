@@ -82,7 +82,7 @@ final class MapPresenter {
             return; // the map of a scan that another has replaced
         }
         displayed = request;
-        view.show(image);
+        view.show(image, !isFinal);
         markOrders();
         if (isFinal && request == newest) {
             view.newest(true);

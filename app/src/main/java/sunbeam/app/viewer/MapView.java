@@ -33,6 +33,7 @@ public final class MapView extends JComponent {
     private String caption = "";
     private String ordersInWords;
     boolean isNewest;
+    private boolean isCoarse;
 
     public MapView() {
         setMinimumSize(new Dimension(100, 100 + CAPTION));
@@ -57,12 +58,14 @@ public final class MapView extends JComponent {
         repaint();
     }
 
-    public void show(BufferedImage image) {
+    /** Shows a map; {@code coarse} if it is from a coarse level of the color tables, as its caption then says. */
+    public void show(BufferedImage image, boolean coarse) {
         map = image;
+        isCoarse = coarse;
         repaint();
     }
 
-    /** Sets whether the map belongs to the newest light; an outdated map is dimmed and its caption says so. */
+    /** Sets whether the final map of the newest light is shown; another is dimmed, unless it is coarse, and its caption says so. */
     public void newest(boolean value) {
         if (value != isNewest) {
             isNewest = value;
@@ -103,7 +106,7 @@ public final class MapView extends JComponent {
             Graphics2D clipped = (Graphics2D) graphics.create();
             clipped.clip(disc);
             clipped.drawImage(map, left, 0, side, side, null);
-            if (!isNewest) {
+            if (!isNewest && !isCoarse) {
                 clipped.setColor(PictureView.VEIL);
                 clipped.fill(disc);
             }
@@ -120,7 +123,9 @@ public final class MapView extends JComponent {
         }
         graphics.setColor(getForeground());
         graphics.setFont(getFont().deriveFont(11f));
-        String text = isNewest ? caption : "BRDF map: being made";
+        String text = isNewest
+                ? caption
+                : map != null && isCoarse ? "BRDF map: coarse, being refined" : "BRDF map: being made";
         int width = graphics.getFontMetrics().stringWidth(text);
         graphics.drawString(text, Math.max(0, (getWidth() - width) / 2), side + CAPTION - 5);
         graphics.dispose();

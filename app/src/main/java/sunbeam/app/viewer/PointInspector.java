@@ -174,16 +174,21 @@ public final class PointInspector {
         pick.readout.curve.await(true);
         Direction wi = measured.light(data.scene().light().towards());
         Direction wr = measured.pick().wr();
+        Consumer<double[]> show = powers -> {
+            if (inputs.equals(pick.requestedInputs)) {
+                pick.displayedInputs = inputs;
+                pick.readout.curve.show(powers);
+            }
+        };
         viewer.measuring.run(
                 () -> wi.z() > 0 && wr.z() > 0
-                        ? spectrum(data, new DirectionPair(wi, wr), () -> !inputs.equals(pick.requestedInputs))
+                        ? spectrum(
+                                data,
+                                new DirectionPair(wi, wr),
+                                coarse -> SwingUtilities.invokeLater(() -> show.accept(coarse)),
+                                () -> !inputs.equals(pick.requestedInputs))
                         : new double[0],
-                powers -> {
-                    if (inputs.equals(pick.requestedInputs)) {
-                        pick.displayedInputs = inputs;
-                        pick.readout.curve.show(powers);
-                    }
-                },
+                show,
                 problem -> {
                     if (inputs.equals(pick.requestedInputs)) {
                         pick.readout.curve.await(false);
@@ -192,21 +197,15 @@ public final class PointInspector {
                 });
     }
 
-    /** Returns powers relative to a mirror at the plot's wavelengths, by direct sums over the heights; none once {@code outdated} is true. */
-    private static double[] spectrum(SceneData data, DirectionPair pair, BooleanSupplier outdated) {
+    /** Returns powers relative to a mirror, by direct sums over the heights; see {@link SpectrumPlot#spectrum}. */
+    private static double[] spectrum(
+            SceneData data, DirectionPair pair, Consumer<double[]> coarse, BooleanSupplier outdated) {
         ExactLight light = data.scene()
                 .method()
                 .seeing(data.patch())
                 .area()
                 .over(data.patch().heights(), CieTable.load());
-        double[] powers = new double[SpectrumPlot.COUNT];
-        for (int i = 0; i < powers.length; i++) {
-            if (outdated.getAsBoolean()) {
-                return new double[0];
-            }
-            powers[i] = light.power(pair, SpectrumPlot.wavelength(i));
-        }
-        return powers;
+        return SpectrumPlot.spectrum(wavelength -> light.power(pair, wavelength), coarse, outdated);
     }
 
     public void copy() {

@@ -12,7 +12,11 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Path2D;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import javax.swing.JComponent;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
@@ -26,9 +30,13 @@ public final class SpectrumPlot extends JComponent {
     /** Number of wavelengths of a spectrum, in equal steps from 380 to 780 nm. */
     public static final int COUNT = 81;
 
+    /** Every eighth wavelength is computed first. */
+    private static final int COARSE = 8;
+
     private static final double FIRST_WAVELENGTH = 380e-9;
     private static final double RANGE = 400e-9;
     private static final String AWAITED = "Spectrum: being made";
+    private static final String REFINED = "each 40 nm, others follow";
     private static final Color OLD = new Color(0x60686f);
     private static final CieTable LIGHT = CieTable.load();
     // Exposure at which the brightest wavelength reaches the screen's maximum.
@@ -60,11 +68,15 @@ public final class SpectrumPlot extends JComponent {
             repaint();
         }
 
-        /** Shows powers at equal steps of wavelength; an empty array clears the curve. */
+        /** Shows powers at equal steps of wavelength; an empty array clears the curve. A spectrum of fewer than all is still awaited. */
         public void show(double[] values) {
             powers = values.clone();
             isOld = false;
-            await(false);
+            await(isCoarse());
+        }
+
+        private boolean isCoarse() {
+            return powers.length > 0 && powers.length < COUNT;
         }
 
         void setOld(boolean old) {
@@ -99,6 +111,34 @@ public final class SpectrumPlot extends JComponent {
         return FIRST_WAVELENGTH + RANGE * index / (COUNT - 1);
     }
 
+    /**
+     * Evaluates a spectrum, every {@link #COARSE}th wavelength first.
+     *
+     * @param power power at a wavelength in meters
+     * @param coarse receives the powers at those wavelengths
+     * @return powers at all wavelengths, or an empty array once {@code outdated} is true
+     */
+    static double[] spectrum(DoubleUnaryOperator power, Consumer<double[]> coarse, BooleanSupplier outdated) {
+        double[] powers = new double[COUNT];
+        int[] order = IntStream.concat(
+                        IntStream.range(0, COUNT).filter(i -> i % COARSE == 0),
+                        IntStream.range(0, COUNT).filter(i -> i % COARSE != 0))
+                .toArray();
+        int coarseCount = (COUNT - 1) / COARSE + 1;
+        for (int done = 0; done < COUNT; done++) {
+            if (outdated.getAsBoolean()) {
+                return new double[0];
+            }
+            if (done == coarseCount) {
+                coarse.accept(IntStream.range(0, coarseCount)
+                        .mapToDouble(i -> powers[COARSE * i])
+                        .toArray());
+            }
+            powers[order[done]] = power.applyAsDouble(wavelength(order[done]));
+        }
+        return powers;
+    }
+
     /** Returns the linearly interpolated power at a share of the wavelength axis, 0 to 1. */
     private static double at(double[] powers, double share) {
         double at = share * (powers.length - 1);
@@ -114,7 +154,7 @@ public final class SpectrumPlot extends JComponent {
     /** Returns colors and powers as text, one wavelength per line; empty if absent or outdated. */
     String numbers() {
         List<double[]> known = curves.stream()
-                .filter(curve -> curve.powers.length > 0 && !curve.isOld)
+                .filter(curve -> curve.powers.length == COUNT && !curve.isOld)
                 .map(curve -> curve.powers)
                 .toList();
         if (known.isEmpty()) {
@@ -168,7 +208,8 @@ public final class SpectrumPlot extends JComponent {
             FontMetrics metrics = graphics.getFontMetrics();
             graphics.setColor(getForeground());
             int row = most > 0 ? getHeight() - 3 : (bottom + metrics.getAscent()) / 2;
-            graphics.drawString(AWAITED, (getWidth() - metrics.stringWidth(AWAITED)) / 2, row);
+            String words = curves.stream().anyMatch(Curve::isCoarse) ? REFINED : AWAITED;
+            graphics.drawString(words, (getWidth() - metrics.stringWidth(words)) / 2, row);
         }
         graphics.dispose();
     }

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 import javax.swing.JComponent;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.viewer.MapView.GratingOrders;
@@ -162,7 +163,32 @@ class ComponentsTest {
         assertThat(seen).as("marks").isGreaterThan(6);
     }
 
-    private static final double[] POWERS = {0, 1, 0.5};
+    private static final double[] POWERS =
+            IntStream.range(0, SpectrumPlot.COUNT).mapToDouble(i -> i % 3).toArray();
+
+    @Test
+    void aSpectrumShowsEveryEighthWavelengthFirstAndIsNotCopiedUntilAllAreThere() {
+        SpectrumPlot plot = plot();
+        List<Double> evaluated = new ArrayList<>();
+        double[] all = SpectrumPlot.spectrum(
+                wavelength -> {
+                    evaluated.add(wavelength);
+                    return wavelength;
+                },
+                coarse -> {
+                    assertThat(evaluated).hasSize(11);
+                    assertThat(coarse[0]).isCloseTo(380e-9, within(1e-15));
+                    assertThat(coarse[10]).isCloseTo(780e-9, within(1e-15));
+                    plot.curves.get(0).show(coarse);
+                    assertThat(plot.numbers()).isEmpty();
+                },
+                () -> false);
+        assertThat(evaluated).doesNotHaveDuplicates().hasSize(SpectrumPlot.COUNT);
+        assertThat(all).isSorted();
+        plot.curves.get(0).show(all);
+        assertThat(plot.numbers()).contains("\n780\t");
+        assertThat(SpectrumPlot.spectrum(x -> x, coarse -> {}, () -> true)).isEmpty();
+    }
 
     @Test
     void aSpectrumThatIsBeingMadeIsSaidToComeUntilItIsThereOrFails() {

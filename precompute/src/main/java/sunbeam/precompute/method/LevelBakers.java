@@ -10,6 +10,7 @@ import sunbeam.precompute.colortable.GaussianPyramid;
 import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.RadialBaker;
 import sunbeam.precompute.colortable.SlopeBaker;
+import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TileGrid.TableSpace;
 import sunbeam.precompute.method.MethodPlan.TableSources;
 import sunbeam.precompute.plan.ErrorBudget;
@@ -64,19 +65,17 @@ public final class LevelBakers {
                 : new RadialBaker(spectrum.get(), cie, table().levels().get(level));
     }
 
-    /** Opens a baker of colors at points, not averaged over slopes as all levels are. */
+    /** Opens a baker of colors at points, not averaged over slopes as all levels are, to the table's tolerance. */
     public ColorBaker points() {
         if (table().slopeDeviation() == 0) {
             return level(0);
         }
-        ColorTable.Level finest = table().levels().get(0);
-        return new RadialBaker(
-                spectrum.get(),
-                plan.surface().cie(),
+        TableDesign design = TableDesign.within(
+                plan.tolerance(),
                 table().area(),
-                finest.design(),
-                TableSpace.AllLights.REACH,
-                true);
+                TableDesign.depth(plan.surface().map()));
+        return new RadialBaker(
+                spectrum.get(), plan.surface().cie(), table().area(), design, TableSpace.AllLights.REACH, true);
     }
 
     /** Value computed once, without a lock, by the first thread that needs it. After a failure the next call tries again. */

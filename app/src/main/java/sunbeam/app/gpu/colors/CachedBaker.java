@@ -30,8 +30,8 @@ final class CachedBaker implements Scheduler.TileBaker {
     // Samples between checks of the token: some milliseconds on one processor.
     private static final int SAMPLE_BATCH = 96;
 
-    // Level number of points of the patch, over which no level averages.
-    static final int POINTS = -1;
+    // Key of the baker of points of the patch, over which no level averages.
+    private static final int POINTS = -1;
 
     private final LevelBakers bakers;
     private final List<TileGrid> grids = new ArrayList<>();
@@ -158,8 +158,13 @@ final class CachedBaker implements Scheduler.TileBaker {
         return Floats.of(places.length, i -> places[i]);
     }
 
-    /** Evaluates colors of a level or {@link #POINTS}, not yet multiplied by the level's scale. */
-    float[] evaluate(int level, float[] places, ColorBaker.Token token) {
+    /** Bakes colors of points of the patch at once: neighbors share work. */
+    float[] bakePoints(float[] places, ColorBaker.Token token) {
+        return baker(POINTS).bake(places, token);
+    }
+
+    /** Evaluates colors of a level, not yet multiplied by the level's scale. */
+    private float[] evaluate(int level, float[] places, ColorBaker.Token token) {
         ColorBaker direct = baker(level).direct();
         float[] xyz = new float[places.length];
         for (int from = 0; from < places.length; from += 3 * SAMPLE_BATCH) {

@@ -78,7 +78,7 @@ final class Scheduler implements AutoCloseable {
         reconsider();
     }
 
-    /** Runs a task at most once, when the picture's tiles are baked and nothing moves; a due job cancels it. */
+    /** Runs a task at most once, when the picture's tiles are baked and nothing moves, before prefetching; a due job cancels it. */
     synchronized void whenIdle(CancellationToken token, Runnable task) {
         idleTasks.add(new IdleTask(token, task));
         reconsider();
@@ -106,10 +106,11 @@ final class Scheduler implements AutoCloseable {
         reconsider();
     }
 
-    /** Guarded by this. Cancels the running job if another is more urgent, and submits {@link #turn} if anything is due. */
+    /** Guarded by this. Cancels the running job if another or an idle task is more urgent, and submits {@link #turn} if anything is due. */
     private void reconsider() {
         Optional<DueJob> first = mostUrgent();
-        running.filter(job -> !first.map(due -> isPartOf(job, due)).orElse(false))
+        running.filter(job ->
+                        mayIdle(first) || !first.map(due -> isPartOf(job, due)).orElse(false))
                 .ifPresent(job -> job.token().cancel());
         idling.filter(task -> isClosing || isInteractive || !isComplete(first))
                 .ifPresent(task -> task.token().cancel());

@@ -202,9 +202,9 @@ public final class VirtualTexture implements AutoCloseable {
         scheduler.orElseThrow().whenIdle(token, task);
     }
 
-    /** Evaluates X, Y, Z of power at these (u, v, w), without footprint or table, in tasks of {@link #whenIdle}; can be canceled. */
-    public float[] evaluatePoints(float[] places, CancellationToken token) {
-        return baker.evaluate(CachedBaker.POINTS, places, token);
+    /** Bakes X, Y, Z of power at these (u, v, w), without footprint, to the table's tolerance, in tasks of {@link #whenIdle}. */
+    public float[] bakePoints(float[] places, CancellationToken token) {
+        return baker.bakePoints(places, token);
     }
 
     /** Looks up X, Y, Z of power in the finest level of which all tiles are resident; those of the coarsest must be. */

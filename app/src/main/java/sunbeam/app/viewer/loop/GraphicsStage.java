@@ -70,10 +70,15 @@ public final class GraphicsStage implements Stage {
     @Override
     public void interactive(boolean value) {
         isMoving = value;
+        // A picture by the comparison method neither cancels nor delays the map, which belongs to the scene's own
+        // method.
+        if (value && state.isOther()) {
+            other.colors().forEach(colors -> colors.interactive(true));
+            return;
+        }
         // Both methods share the processors.
         Stream.concat(own.colors(), other.colors()).forEach(colors -> colors.interactive(value));
-        // A picture by the comparison method does not cancel the map, which belongs to the scene's own method.
-        if (value && !state.isOther()) {
+        if (value) {
             map.cancel();
         }
     }
@@ -274,8 +279,8 @@ public final class GraphicsStage implements Stage {
             }
         } else if (isFinal) {
             map.drawLater(parts, request.light(), drawn);
-        } else if (isMoving && own.colors().allMatch(VirtualTexture::hasCoarsest)) {
-            map.drawCoarse(parts, request.light(), drawn);
+        } else if (own.colors().allMatch(VirtualTexture::hasCoarsest)) {
+            map.drawMoving(parts, request.light(), drawn);
         }
     }
 

@@ -28,8 +28,6 @@ import sunbeam.precompute.optics.Gain;
 final class MapStage {
     private static final int PREVIEW_SIZE = 48;
     private static final int SIZE = 192;
-    // Directions evaluated together, in about ten milliseconds: the wait until a canceled map ends.
-    private static final int BATCH = 1 << 10;
     private static final long COARSE_NANOSECONDS = 100_000_000;
 
     private final RenderContext context;
@@ -68,7 +66,7 @@ final class MapStage {
     }
 
     /** Draws a small map from the finest wholly resident level of color tables, in some milliseconds, at most ten times a second. */
-    void drawCoarse(List<SceneSession> sessions, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
+    void drawMoving(List<SceneSession> sessions, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
         long now = System.nanoTime();
         List<Object> wanted =
                 List.of(sessions.stream().map(SceneSession::virtualTexture).toList(), light);
@@ -79,19 +77,24 @@ final class MapStage {
         }
     }
 
-    /** Queues a map that is drawn when the picture's tiles are baked; it evaluates colors exactly, without the tables' interpolation. */
+    /**
+     * Draws a map from the tables at once, if their coarsest level is resident, and queues one that is drawn when the picture's tiles are
+     * baked: its colors keep the scene's tolerance, without the tables' averages over a pixel.
+     */
     void drawLater(List<SceneSession> sessions, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
         CancellationToken token = new CancellationToken();
         newest = token;
         coarse = null;
         List<Part> parts = parts(sessions);
-        parts.get(0).colors.whenIdle(token, () -> {
-            for (int size : new int[] {PREVIEW_SIZE, SIZE}) {
-                drawn.accept(
-                        map(parts, light, size, (colors, points) -> colors.evaluatePoints(points, token)),
-                        size == SIZE);
-            }
-        });
+        if (parts.stream().allMatch(part -> part.colors.hasCoarsest())) {
+            drawn.accept(map(parts, light, SIZE, VirtualTexture::coarseColors), false);
+        }
+        parts.get(0)
+                .colors
+                .whenIdle(
+                        token,
+                        () -> drawn.accept(
+                                map(parts, light, SIZE, (colors, points) -> colors.bakePoints(points, token)), true));
     }
 
     private static List<Part> parts(List<SceneSession> sessions) {
@@ -109,12 +112,9 @@ final class MapStage {
         Arrays.fill(xyz, Float.NaN);
         int[] covered =
                 IntStream.range(0, size * size).filter(directions::covers).toArray();
-        for (int first = 0; first < covered.length; first += BATCH) {
-            int[] pixels = Arrays.copyOfRange(covered, first, Math.min(covered.length, first + BATCH));
-            float[] points = points(directions, pixels);
-            for (Part part : parts) {
-                add(directions, pixels, part.data, colors.apply(part.colors, points), xyz);
-            }
+        float[] points = points(directions, covered);
+        for (Part part : parts) {
+            add(directions, covered, part.data, colors.apply(part.colors, points), xyz);
         }
         return shown(new LinearPicture(size, size, xyz));
     }

@@ -202,7 +202,7 @@ public final class RenderLoop implements AutoCloseable {
             phase = Phase.MOVING;
             stage.interactive(true);
             // A newer state interrupts the comparison's preview, but not the preview of the scene's own method.
-            show(stage.moving(next.isOther() ? this::isInterrupted : () -> isClosed));
+            show(stage.moving(next.isOther() ? interruptedBetweenTasks(stage) : () -> isClosed));
             previewEnd = clock.getAsLong();
         }
     }
@@ -240,10 +240,7 @@ public final class RenderLoop implements AutoCloseable {
 
     private void refine(Stage stage) {
         ViewState begun = state;
-        BooleanSupplier interrupted = () -> {
-            doTasks(stage);
-            return isInterrupted();
-        };
+        BooleanSupplier interrupted = interruptedBetweenTasks(stage);
         for (var finer = stage.finer(interrupted); finer.isPresent(); finer = stage.finer(interrupted)) {
             show(finer);
         }
@@ -255,6 +252,13 @@ public final class RenderLoop implements AutoCloseable {
                         interrupted,
                         (tile, part, share) -> news.accept(to -> to.tile(begun, part, tile.x(), tile.y(), share)))
                 .ifPresent(picture -> complete(stage, picture, clock.getAsLong() - start));
+    }
+
+    private BooleanSupplier interruptedBetweenTasks(Stage stage) {
+        return () -> {
+            doTasks(stage);
+            return isInterrupted();
+        };
     }
 
     private boolean isInterrupted() {

@@ -28,6 +28,34 @@ final class SchedulerTest {
                         .doesNotThrowAnyException());
     }
 
+    @Test
+    void aTaskForIdleTimesDoesNotWaitForPrefetching() {
+        ArrayDeque<Runnable> queue = new ArrayDeque<>();
+        List<String> done = new ArrayList<>();
+        CancellationToken token = new CancellationToken();
+        Scheduler[] scheduler = new Scheduler[1];
+        scheduler[0] = new Scheduler(
+                new Scheduler.TileBaker() {
+                    @Override
+                    public Scheduler.BakedTiles bake(TileSet missing, CancellationToken baking) {
+                        scheduler[0].whenIdle(token, () -> done.add("task"));
+                        done.add(baking.isCancelled() ? "prefetching canceled" : "prefetching goes on");
+                        throw new CancellationException();
+                    }
+
+                    @Override
+                    public void close() {}
+                },
+                queue::add,
+                () -> {});
+        TileSet all = TileSet.none(LEVELS);
+        all.of(0).set(0, TILES);
+        scheduler[0].request(List.of(TileSet.none(LEVELS), TileSet.none(LEVELS), all));
+        queue.remove().run();
+        queue.remove().run();
+        assertThat(done).containsExactly("prefetching canceled", "task");
+    }
+
     /** One interleaving of requests, jobs, failures and the end. */
     private static final class Interleaving implements Scheduler.TileBaker {
         private final SplittableRandom random;

@@ -59,8 +59,8 @@ class VirtualTextureTest {
         }
         try (CachedBaker reading = new CachedBaker(bakers())) {
             bakeCoarsest(reading);
-            // A BRDF map evaluates points.
-            assertThat(reading.evaluate(CachedBaker.POINTS, new float[] {0, 0, -1.9f}, new CancellationToken()))
+            // A BRDF map bakes points.
+            assertThat(reading.bakePoints(new float[] {0, 0, -1.9f}, new CancellationToken()))
                     .hasSize(3);
             validate(reading);
         }

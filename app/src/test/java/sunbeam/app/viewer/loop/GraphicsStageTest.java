@@ -6,10 +6,12 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -79,6 +81,24 @@ class GraphicsStageTest {
             stage.map(request, false, () -> false, (image, isFinal) -> drawn.add(60));
         }
         assertThat(drawn).containsExactly(0, 30);
+    }
+
+    @Test
+    @NeedsDisplay
+    @Timeout(60) // instead of waiting forever for a map that is not drawn
+    void theMapAtRestIsDrawnFromTheTablesAtOnceAndEndsWhileTheComparisonIsDrawn() throws InterruptedException {
+        List<Boolean> drawn = new CopyOnWriteArrayList<>();
+        try (GraphicsStage stage = new GraphicsStage()) {
+            LoadedScene loaded = updateToCoarsest(stage);
+            stage.update(new ViewState(loaded, 0, WIDTH, HEIGHT, true), () -> {});
+            stage.interactive(true);
+            Patch patch = loaded.firstPart().patch();
+            MapRequest request = new MapRequest(Direction.ofDegrees(30, 0), 0, 0, patch);
+            stage.map(request, true, () -> false, (image, isFinal) -> drawn.add(isFinal));
+            assertThat(drawn).startsWith(false);
+            await(stage, () -> drawn.contains(true));
+        }
+        assertThat(drawn).containsExactly(false, true);
     }
 
     private LoadedScene updateToCoarsest(GraphicsStage stage) throws InterruptedException {
