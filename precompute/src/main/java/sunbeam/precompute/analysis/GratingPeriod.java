@@ -1,6 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.apache.commons.math3.distribution.TDistribution;
@@ -114,6 +115,11 @@ public record GratingPeriod(
 
     public boolean isSeen() {
         return isSure() || certainty == Certainty.PROBABLE;
+    }
+
+    /** Whether more is known than by another search, if that found a wave. */
+    boolean isBetterThan(Optional<GratingPeriod> other) {
+        return other.filter(known -> known.certainty.compareTo(certainty) <= 0).isEmpty();
     }
 
     public boolean isExact() {

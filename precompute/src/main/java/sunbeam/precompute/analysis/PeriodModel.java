@@ -37,6 +37,21 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
 
     /** Empty if no accepted wave fits twice into the scan. */
     static Optional<GratingPeriod> of(HeightMap scan, Hypothesis asked) {
+        Optional<GratingPeriod> leveled = TerraceEdges.removed(scan).flatMap(level -> robust(level, asked));
+        Optional<GratingPeriod> raw =
+                leveled.filter(GratingPeriod::isSure).isPresent() ? Optional.empty() : robust(scan, asked);
+        Optional<GratingPeriod> best =
+                raw.filter(found -> found.isBetterThan(leveled)).or(() -> leveled);
+        return best.filter(GratingPeriod::isSure).or(() -> few(scan, asked)).or(() -> best);
+    }
+
+    private static Optional<GratingPeriod> few(HeightMap scan, Hypothesis asked) {
+        return CoarseWave.in(scan, asked)
+                .map(wave -> GratingPeriod.vague(List.of(wave), wave.periodsIn(scan), 1)
+                        .tooLittle(Reasons.few(wave.periodsIn(scan), wave)));
+    }
+
+    private static Optional<GratingPeriod> robust(HeightMap scan, Hypothesis asked) {
         HeightMap robust = RobustHeights.of(scan);
         Predicate<SpatialFrequency> visible =
                 wave -> asked.test(wave) && wave.length() * HeightSpectrum.SHORTEST_PERIOD <= 1;

@@ -11,7 +11,6 @@ final class Reasons {
     static String of(Decision decision, Evidence evidence, SpatialFrequency wave, Hypothesis asked) {
         String about = Lengths.rounded(wave.period(), 2);
         String strongest = asked.nothing() + "; the strongest wave, of about " + about;
-        double seen = Math.floor(10 * evidence.periods()) / 10;
         String more = "too little to judge: %s; use a larger scan, or state that it is periodic";
         return switch (decision) {
             case FINE_RELIEF -> "no order found: most of the relief is finer than light resolves (190 nm)";
@@ -29,13 +28,22 @@ final class Reasons {
                 Text.format(
                         "it holds %.0f %% of the heights' variance, little more than noise may",
                         100 * evidence.lines());
-            case TOO_FEW -> Text.format(more, Text.format("only %.1f periods of about %s", seen, about));
-            case FEW -> Text.format("%.1f periods seen, too few for an interval", seen);
+            case TOO_FEW -> Text.format(more, few(evidence.periods(), wave));
+            case FEW -> Text.format("%.1f periods seen, too few for an interval", seen(evidence.periods()));
             case UNDERSAMPLED ->
                 Text.format(
                         "%.1f samples a period: perhaps the alias of a shorter one; scan finer", evidence.samples());
             case UNEVEN -> "so uneven that this scan does not determine it to 10 %; use a larger one";
             case SURE -> "";
         };
+    }
+
+    static String few(double periods, SpatialFrequency wave) {
+        return Text.format("only %.1f periods of about %s", seen(periods), Lengths.rounded(wave.period(), 2));
+    }
+
+    /** Rounds down: 2.99 periods are fewer than three. */
+    private static double seen(double periods) {
+        return Math.floor(10 * periods) / 10;
     }
 }

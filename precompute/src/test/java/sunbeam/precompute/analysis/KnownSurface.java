@@ -31,7 +31,9 @@ record KnownSurface(Kind kind, HeightMap map, double[] periods, boolean clear, S
         GRATING,
         LATTICE,
         RING,
-        NONE
+        NONE,
+        /** A wave that fits fewer than three times. */
+        FEW
     }
 
     enum Kind {
@@ -62,7 +64,11 @@ record KnownSurface(Kind kind, HeightMap map, double[] periods, boolean clear, S
         /** Grains with lines of one distance in many directions. */
         GRAINS(Truth.RING),
         /** A wave along the rows that starts each row at a random phase. */
-        VIBRATION(Truth.NONE);
+        VIBRATION(Truth.NONE),
+        /** Edges of terraces, straight or curved, or a scratch, several times as high as the lines. */
+        EDGES(Truth.GRATING),
+        /** A sine with hardly any noise that fits 1.3 to 2.95 times. */
+        FEW_PERIODS(Truth.FEW);
 
         final Truth truth;
 
@@ -218,15 +224,27 @@ record KnownSurface(Kind kind, HeightMap map, double[] periods, boolean clear, S
                 }
                 case RANDOM_PITS -> pits(angle, side() / between(4, 9), 0.5);
                 case VIBRATION -> vibrate(period);
+                case EDGES -> {
+                    amplitude = between(40, 80) * NM;
+                    add(grating(period, angle, 0, profile()));
+                    terraces();
+                }
+                case FEW_PERIODS -> {
+                    double longest = pitch * (columns * Math.abs(Math.cos(angle)) + rows * Math.abs(Math.sin(angle)));
+                    period = longest / between(1.3, 2.95);
+                    truths = new double[] {period};
+                    add(grating(period, angle, 0, turns -> Math.sin(2 * Math.PI * turns)));
+                }
                 default -> noise(kind);
             }
-            double rough = kind == Kind.TRACKS || kind == Kind.RANDOM_PITS ? 0.05 : between(0.03, 0.3);
+            boolean pure = kind == Kind.EDGES || kind == Kind.FEW_PERIODS;
+            double rough = pure || kind == Kind.TRACKS || kind == Kind.RANDOM_PITS ? 0.05 : between(0.03, 0.3);
             noise(rough * amplitude, between(0.3, 5) * UM, between(1, 4));
             if (kind == Kind.CRACKED) {
                 crack();
             }
             StringBuilder words = new StringBuilder();
-            int count = kind.compareTo(Kind.BUMPS) <= 0 ? random.nextInt(4) : random.nextInt(2);
+            int count = kind.compareTo(Kind.BUMPS) <= 0 ? random.nextInt(4) : pure ? 0 : random.nextInt(2);
             List<Defect> left = new ArrayList<>(List.of(Defect.values()));
             for (int k = 0; k < count; k++) {
                 Defect defect = left.remove(random.nextInt(left.size()));
@@ -239,7 +257,7 @@ record KnownSurface(Kind kind, HeightMap map, double[] periods, boolean clear, S
                     heights[i] = heights[i - columns];
                 }
             }
-            boolean order = kind.truth == Truth.GRATING || kind.truth == Truth.LATTICE;
+            boolean order = kind.truth == Truth.GRATING || kind.truth == Truth.LATTICE || kind.truth == Truth.FEW;
             double seen = side() / truths[0] * (kind == Kind.STOPPED ? 0.5 : 1);
             String about = order
                     ? String.format(
@@ -250,7 +268,7 @@ record KnownSurface(Kind kind, HeightMap map, double[] periods, boolean clear, S
                     kind,
                     new HeightMap(columns, rows, pitch, pitch, heights),
                     kind.truth == Truth.NONE ? new double[0] : truths,
-                    order && seen >= 4,
+                    order && seen >= 4 && kind.truth != Truth.FEW,
                     kind + words.toString() + about);
         }
 
@@ -433,6 +451,26 @@ record KnownSurface(Kind kind, HeightMap map, double[] periods, boolean clear, S
                     }
                 }
                 heights[i] = highest;
+            }
+        }
+
+        /** One or two edges of terraces, an island, or a scratch across the scan; edges are up to 0.3 um wide. */
+        private void terraces() {
+            int form = random.nextInt(5);
+            double width = random.nextBoolean() ? 1e-3 * pitch : between(0, 0.15) * UM;
+            for (int k = form == 1 ? 2 : 1; k > 0; k--) {
+                double height = between(300, 500) * NM * (random.nextBoolean() ? 1 : -1);
+                double angle = between(-0.5, 0.5) * Math.PI;
+                double offset = between(-0.3, 0.3) * side();
+                double radius = between(0.15, 0.35) * side();
+                double bend = form == 2 ? between(0.1, 0.3) / side() : 0;
+                add(i -> {
+                    double along = across(i, angle + 0.5 * Math.PI);
+                    double beyond = across(i, angle) - offset + bend * along * along;
+                    double inside = radius - Math.hypot(across(i, angle) - offset, along);
+                    double place = form == 3 ? inside : form == 4 ? 2 * pitch - Math.abs(beyond) : beyond;
+                    return 0.5 * height * Math.tanh(place / width);
+                });
             }
         }
 

@@ -56,6 +56,7 @@ class KnownSurfaceTest {
                     sure
                             ? Outcome.FALSELY_SURE
                             : verdict.code() == Verdict.Code.ALL_DIRECTIONS ? Outcome.RIGHT : Outcome.WEAK;
+                case FEW -> ofFew(surface, period);
                 case NONE -> sure ? Outcome.FALSELY_SURE : period.isSeen() ? Outcome.FALSELY_PROBABLE : Outcome.RIGHT;
             };
             boolean told = sure && (outcome == Outcome.RIGHT || outcome == Outcome.WRONG);
@@ -64,6 +65,13 @@ class KnownSurfaceTest {
                     outcome,
                     Optional.of(isHeld(surface, period)).filter(held -> told && surface.periods().length > 0),
                     verdict.sentence());
+        }
+
+        private static Outcome ofFew(KnownSurface surface, GratingPeriod period) {
+            if (period.isSeen()) {
+                return isWithin(surface, period, ABOUT) ? Outcome.WEAK : Outcome.WRONG;
+            }
+            return period.certainty() == GratingPeriod.Certainty.TOO_LITTLE ? Outcome.RIGHT : Outcome.MISSED;
         }
 
         private static Outcome ofOrder(KnownSurface surface, GratingPeriod period, boolean sure) {
@@ -86,8 +94,8 @@ class KnownSurfaceTest {
         }
     }
 
-    private static List<Result> results(long first, int each) {
-        return Arrays.stream(KnownSurface.Kind.values())
+    private static List<Result> results(long first, int each, KnownSurface.Kind... kinds) {
+        return Arrays.stream(kinds)
                 .flatMap(kind -> LongStream.range(first, first + each).mapToObj(seed -> KnownSurface.draw(kind, seed)))
                 .parallel()
                 .map(Result::of)
@@ -102,7 +110,7 @@ class KnownSurfaceTest {
      */
     @Test
     void verdictsAgreeWithTheTruth() {
-        List<Result> results = results(0, 3);
+        List<Result> results = results(0, 3, KnownSurface.Kind.values());
         assertThat(results).hasSizeGreaterThan(56);
         List<Result> clear =
                 results.stream().filter(result -> result.surface.clear()).toList();
@@ -125,6 +133,23 @@ class KnownSurfaceTest {
                 .isLessThan(5);
     }
 
+    /** Of 12 surfaces at 97 % right or weak, two or more are missed once in 20 such tests. */
+    @Test
+    void terraceEdgesNeitherHideNorCrossLines() {
+        List<Result> results = results(100, 12, KnownSurface.Kind.EDGES);
+        assertThat(results.size() - count(results, Outcome.RIGHT)).isLessThan(2);
+        assertThat(results)
+                .filteredOn(result -> result.sentence.contains(", crossed"))
+                .hasSizeLessThan(3);
+    }
+
+    @Test
+    void fewPeriodsAreTooFewToJudge() {
+        assertThat(results(100, 12, KnownSurface.Kind.FEW_PERIODS))
+                .allSatisfy(
+                        result -> assertThat(result.outcome).as(result.sentence).isIn(Outcome.RIGHT, Outcome.WEAK));
+    }
+
     private static long count(List<Result> results, Outcome outcome) {
         return results.stream().filter(result -> result.outcome == outcome).count();
     }
@@ -132,7 +157,8 @@ class KnownSurfaceTest {
     /** Arguments: the first seed and the number of surfaces of each kind. Prints what is not right, then counts. */
     public static void main(String[] arguments) {
         Map<String, Integer> counts = new HashMap<>();
-        for (Result result : results(Long.parseLong(arguments[0]), Integer.parseInt(arguments[1]))) {
+        for (Result result :
+                results(Long.parseLong(arguments[0]), Integer.parseInt(arguments[1]), KnownSurface.Kind.values())) {
             String kind = result.surface.kind() + (result.surface.clear() ? ", clear" : "");
             counts.merge(kind + ": " + result.outcome, 1, Integer::sum);
             result.held.ifPresent(held -> counts.merge("interval holds the truth: " + held, 1, Integer::sum));
