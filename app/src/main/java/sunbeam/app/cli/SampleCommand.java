@@ -169,7 +169,7 @@ public final class SampleCommand extends FileCommand {
         }
         int checked = Math.min(rows, SampleRows.CHECKED_ROWS);
         try (Progress checks = environment().progress().start("Sums over wavelengths", checked)) {
-            return sampled.differenceFromSums(first, checked, checks);
+            return sampled.differenceFromSums(first, rows, checked, checks);
         }
     }
 

@@ -41,6 +41,9 @@ final class SampleRows {
     private final RadialBaker colors;
     private final PairDensity density;
     private final ColorBaker.Token token;
+    // Colors of the batch that was checked, which begins at this row.
+    private float[] checkedBatch = {};
+    private long checkedFirst;
 
     /** @param plan plan with the ensemble average */
     SampleRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, ColorBaker.Token token) {
@@ -93,7 +96,9 @@ final class SampleRows {
     }
 
     float[] xyz(long first, int count) {
-        return colors.bakeRepeatably(places(first, count), token);
+        return first == checkedFirst && CHANNELS * count == checkedBatch.length
+                ? checkedBatch
+                : colors.bakeRepeatably(places(first, count), token);
     }
 
     double power(Row row) {
@@ -105,13 +110,13 @@ final class SampleRows {
                 new double[] {row.pair().u(), row.pair().v(), row.pair().w()});
     }
 
-    /** Returns the errors of a file's first rows against direct sums over wavelengths. */
-    ErrorStatistics differenceFromSums(long first, int count, ColorBaker.Token checks) {
-        float[] places = places(first, count);
-        float[] xyz = colors.bakeRepeatably(places, ColorBaker.Token.NONE);
-        float[] exact = colors.direct().bake(places, checks);
-        return Comparison.relative(IntStream.range(0, count)
-                .mapToObj(i -> new Comparison(Comparison.xyz(xyz, i), Comparison.xyz(exact, i), 1))
+    /** Returns the errors of the first {@code checked} rows of a file against direct sums over wavelengths; keeps its first batch. */
+    ErrorStatistics differenceFromSums(long first, int rows, int checked, ColorBaker.Token checks) {
+        checkedBatch = xyz(first, Math.min(rows, RowFile.BATCH));
+        checkedFirst = first;
+        float[] exact = colors.direct().bake(places(first, checked), checks);
+        return Comparison.relative(IntStream.range(0, checked)
+                .mapToObj(i -> new Comparison(Comparison.xyz(checkedBatch, i), Comparison.xyz(exact, i), 1))
                 .toList());
     }
 
