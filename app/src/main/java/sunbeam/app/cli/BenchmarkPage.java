@@ -11,6 +11,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Plot.Axis;
 import sunbeam.app.terminal.UsageException;
@@ -178,7 +179,7 @@ final class BenchmarkPage {
         String patch = rows.get(0).patch();
         Axis time = Axis.logarithmic("time per pixel / us");
         Axis error = Axis.logarithmic("relative error of XYZ (median)");
-        Plot plot = new Plot(new Plot.Frame(patch + ": error over time", time, error, 900, 480));
+        Plot plot = new Plot(new Plot.Frame(patch + ": error over time", time, error, Drawing.COLUMN, 840));
         for (Measurement row : rows) {
             double[] x = {1e6 * row.secondsPerPixel()};
             double[] y = {Math.max(LEAST, row.errors().median())};

@@ -28,6 +28,7 @@ import sunbeam.app.files.output.LinearFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.Energy;
@@ -42,8 +43,8 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
+import sunbeam.precompute.units.Decimals;
 
 /** {@code sunbeam brdf-map}: draws the BRDF of a height map. */
 @Command(
@@ -195,9 +196,12 @@ public final class BrdfMapCommand extends FileCommand {
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             ResumeOption.note(text, identity, doubt);
             String shared = compared.areSeveral() ? ", automatic, one for all" : ", automatic";
-            String exposed = Text.format("exposure %.4g", factor) + (exposure.isAutomatic() ? shared : "");
+            String exposed = "exposure " + Decimals.rounded(factor, 3) + (exposure.isAutomatic() ? shared : "");
             Optional<String> other = Optional.of(index.describe(material)).filter(words -> !material.isStandard());
-            BufferedImage image = annotate ? sheet.annotated(other, exposed, asked) : sheet.plain();
+            BufferedImage image = annotate
+                    ? sheet.annotated(other, exposed, asked, Drawing.STANDARD_WIDTH)
+                            .rasterize()
+                    : sheet.plain();
             Path written = write(picture, image, text, first);
             List<Integer> thumbnail = List.of(0, 0, image.getWidth(), image.getWidth());
             fields.stream().limit(1).forEach(surface -> surface.put("thumbnail_px", thumbnail));

@@ -1,10 +1,10 @@
 package sunbeam.app.cli;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
-import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +12,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.app.cli.ColorReport.ViewColor;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.PlotStyle;
 import sunbeam.app.files.plot.Sheet;
@@ -23,18 +24,18 @@ import sunbeam.precompute.units.Lengths;
 
 /** Picture of the result: two strips of colors for each surface, a chart of chromaticities and one of spectra. */
 final class ColorSheet {
-    private static final int WIDTH = 1280;
-    private static final int LEFT = 130;
-    private static final int RIGHT = 30;
-    private static final int STRIP = 64;
-    private static final int GAP = 8;
-    private static final int LABELS = 22;
-    private static final int PLOT_HEIGHT = 560;
+    private static final int WIDTH = Drawing.COLUMN;
+    private static final int LEFT = 210;
+    private static final int RIGHT = 40;
+    private static final int STRIP = 84;
+    private static final int GAP = 14;
+    private static final int LABELS = 52;
+    private static final int PLOT_HEIGHT = 680;
     /** Largest width of a surface's name, pixels: some 32 letters. */
-    private static final int WIDEST_NAME = 270;
+    private static final int WIDEST_NAME = 500;
     // Sine of the largest azimuth between the light and a strip's plane at which the light is marked in the strip.
     private static final double IN_PLANE = Math.sin(Math.toRadians(1));
-    private static final double TICK = 0.1;
+    private static final double TICK = 0.2;
     // Largest step between labels, as a share of the range of angles.
     private static final double TICKS = 0.15;
     private static final Color LIGHT = new Color(0xF0E442);
@@ -67,7 +68,7 @@ final class ColorSheet {
         return List.of(LEFT, texts(new Sheet(WIDTH), 0).height() + GAP, WIDTH - LEFT - RIGHT, 2 * STRIP + GAP + LABELS);
     }
 
-    BufferedImage draw() {
+    Drawing draw() {
         Sheet sheet = new Sheet(WIDTH);
         for (int i = 0; i < reports.size(); i++) {
             ColorReport report = reports.get(i);
@@ -122,7 +123,7 @@ final class ColorSheet {
                 .toList();
         int middle = GAP + STRIP / 2;
         graphics.setColor(mark);
-        graphics.fillRect(LEFT - 11, GAP, 7, STRIP);
+        graphics.fillRect(LEFT - 22, GAP, 14, STRIP);
         double width = angleOf(1) - first;
         for (ViewColor color : colors) {
             int from = x(color.view().thetaRDegrees() - width / 2);
@@ -132,14 +133,16 @@ final class ColorSheet {
         }
         marks(graphics, report, colors.get(0).view(), middle);
         graphics.setColor(PlotStyle.INK);
-        graphics.drawString(colors.get(0).view().strip(), 12, middle - 4);
-        graphics.drawString("azimuth " + angle(colors.get(0).view().phiDegrees()), 12, middle + 14);
+        graphics.drawString(colors.get(0).view().strip(), 14, middle - 4);
+        graphics.drawString(
+                PlotStyle.typeset("azimuth " + angle(colors.get(0).view().phiDegrees())), 14, middle + 32);
+        graphics.setStroke(new BasicStroke(2));
         double step = Plot.round(TICKS * (last - first));
         for (double degrees = Math.ceil(first / step) * step; degrees <= last; degrees += step) {
             int x = x(degrees);
-            graphics.drawLine(x, GAP + STRIP, x, GAP + STRIP + 4);
-            String label = angle(degrees);
-            graphics.drawString(label, x - graphics.getFontMetrics().stringWidth(label) / 2, GAP + STRIP + 18);
+            graphics.drawLine(x, GAP + STRIP, x, GAP + STRIP + 8);
+            String label = PlotStyle.typeset(angle(degrees));
+            graphics.drawString(label, x - graphics.getFontMetrics().stringWidth(label) / 2, GAP + STRIP + 40);
         }
     }
 
@@ -149,15 +152,15 @@ final class ColorSheet {
         double aside = Math.toRadians(strip.phiIDegrees() - strip.phiDegrees());
         if (theta == 0 || Math.abs(Math.sin(aside)) < IN_PLANE) {
             double light = Math.copySign(theta, Math.cos(aside));
-            mark(graphics, new Ellipse2D.Double(x(-light) - 4.5, y - 4.5, 9, 9), Color.WHITE);
-            mark(graphics, new Ellipse2D.Double(x(light) - 2.5, y - 2.5, 5, 5), LIGHT);
+            mark(graphics, new Ellipse2D.Double(x(-light) - 8, y - 8, 16, 16), Color.WHITE);
+            mark(graphics, new Ellipse2D.Double(x(light) - 4, y - 4, 8, 8), LIGHT);
         }
         report.purest().filter(color -> color.view().along() == strip.along()).ifPresent(color -> {
             int x = x(color.view().thetaRDegrees());
             graphics.setColor(Color.WHITE);
-            graphics.drawRect(x - 5, y - 5, 10, 10);
+            graphics.drawRect(x - 10, y - 10, 20, 20);
             graphics.setColor(Color.BLACK);
-            graphics.drawRect(x - 6, y - 6, 12, 12);
+            graphics.drawRect(x - 12, y - 12, 24, 24);
         });
     }
 
@@ -174,18 +177,22 @@ final class ColorSheet {
                 .filter(option -> !option.startsWith("coherence length"))
                 .collect(Collectors.joining(", "));
         return Text.format(
-                "one exposure for all: %.4g; refractive index %s; method %s, %s",
-                (Double) settings.get("exposure"), settings.get("index"), settings.get("method"), options);
+                "exposure %s%s; refractive index %s; method %s, %s",
+                Decimals.rounded((Double) settings.get("exposure"), 3),
+                reports.size() > 1 ? ", the same for all" : "",
+                settings.get("index"),
+                settings.get("method"),
+                options);
     }
 
-    private BufferedImage chromaticities() {
+    private Drawing chromaticities() {
         // Closed by the line of purples.
         List<Chromaticity> locus = IntStream.concat(IntStream.rangeClosed(380, 700), IntStream.of(380))
                 .mapToObj(nanometer -> Chromaticity.ofWavelength(cie, nanometer * 1e-9))
                 .toList();
         Plot plot =
                 Plot.linear("Chromaticity" + ofOne(ViewColor.View::strip), "x (CIE 1931)", "y", WIDTH / 2, PLOT_HEIGHT);
-        plot.legendBelow().equalScales(TICK).outline("spectral colors", xs(locus), ys(locus));
+        plot.equalScales(TICK).outline("spectral colors", xs(locus), ys(locus));
         for (int i = 0; i < reports.size(); i++) {
             ColorReport report = reports.get(i);
             List<Chromaticity> seen = report.colors().stream()
@@ -217,11 +224,11 @@ final class ColorSheet {
         return points.stream().mapToDouble(Chromaticity::y).toArray();
     }
 
-    private BufferedImage spectra() {
-        String title = "Spectrum" + ofOne(ColorSheet::place) + ", light at " + angle(theta(reports.get(0)));
-        String radiance = "relative radiance, share of its maximum";
+    private Drawing spectra() {
+        String title = "Radiance" + ofOne(ColorSheet::place);
+        String radiance = "share of the maximum";
         Plot plot = Plot.linear(title, "wavelength / nm", radiance, WIDTH / 2, PLOT_HEIGHT);
-        plot.legendBelow().fromZero();
+        plot.fromZero();
         for (int i = 0; i < reports.size(); i++) {
             ColorReport.Spectrum spectrum = reports.get(i).spectrum();
             double most = Arrays.stream(spectrum.radiances()).reduce(Double.MIN_NORMAL, Math::max);

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import sunbeam.app.cli.Meter.Measurement;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Plot.Axis;
 import sunbeam.app.gpu.colors.DiffractionSetup;
@@ -98,7 +99,7 @@ record CostGrowth(DiffractionSetup setup, Environment environment) {
     static Plot plot(List<Variant> variants, List<Measurement> rows) {
         Axis factor = Axis.logarithmic("factor of the quantity");
         Axis time = Axis.logarithmic("time per pixel / us");
-        Plot plot = new Plot(new Plot.Frame("Time over what it depends on", factor, time, 900, 480));
+        Plot plot = new Plot(new Plot.Frame("Time over what it depends on", factor, time, Drawing.COLUMN, 840));
         Map<String, Measurement> byName =
                 rows.stream().collect(Collectors.toMap(Measurement::method, row -> row, (first, same) -> first));
         variants.stream().map(Variant::series).distinct().forEach(series -> {
@@ -114,7 +115,7 @@ record CostGrowth(DiffractionSetup setup, Environment environment) {
                                     variant -> 1e6 * byName.get(variant.name()).secondsPerPixel())
                             .toArray());
         });
-        return plot.legendBelow();
+        return plot;
     }
 
     /** Measures a variant without errors. */

@@ -1,6 +1,5 @@
 package sunbeam.app.cli;
 
-import java.awt.image.BufferedImage;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
@@ -16,6 +15,7 @@ import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.HeatMap.ColorMap;
 import sunbeam.app.files.plot.Plot;
@@ -46,14 +46,17 @@ record Evaluation(
         Peaks peaks,
         Optional<Ridge> ridge,
         Optional<String> noRidge) {
-    private static final int WIDTH = 1100;
-    private static final int HEIGHT = 800;
+    private static final int WIDTH = Drawing.COLUMN;
+    private static final int HEIGHT = 960;
     // Lowest response of the color scale relative to the highest.
     private static final double SPAN = 1e-4;
-    private static final String ANGLE = "angle to the viewer theta_r / degrees";
-    private static final int PEAKS = 0xFF3020;
-    private static final int FITTED = 0x40A0FF;
-    private static final int EQUATION = 0xE868E8;
+    private static final String ANGLE = "angle to the viewer / degrees";
+    // Of Okabe and Ito, as in PlotStyle: these differ for color-blind readers, and their dashes without color.
+    private static final int EQUATION = 0;
+    private static final int FITTED = 0xE69F00;
+    private static final int PEAKS = 0x56B4E9;
+    private static final float[] FITTED_DASHES = {28, 14};
+    private static final float[] PEAKS_DASHES = {14, 8};
     // Least distance between orders, in standard deviations of the window's spectrum: 1 % of the mirror order's
     // amplitude is left there, and more would shift the ridge by some percent.
     private static final double APART = 3;
@@ -189,7 +192,7 @@ record Evaluation(
     }
 
     /** Plot as in the thesis's figures 4.9 to 4.11: the response, its peaks, and curves of the grating equation. */
-    BufferedImage plot(String method) {
+    Drawing plot(String method) {
         return new Sheet(WIDTH)
                 .heading(patch.name() + ": "
                         + verdict(patch, period, response.grid().plane()).sentence())
@@ -197,14 +200,14 @@ record Evaluation(
                 .draw();
     }
 
-    private BufferedImage picture(String title) {
+    private Drawing picture(String title) {
         ResponseGrid grid = response.grid();
         double[][] values = response.values();
         double[] wavelengths = map(grid.wavelengths(), meters -> meters * NANOMETERS);
         double[] angles = map(grid.angles(), Math::toDegrees);
         if (wavelengths.length == 1) {
             String lit = Text.format("%s, %.4g nm", title, wavelengths[0]);
-            return Plot.linear(lit, ANGLE, "relative radiance rho", WIDTH, HEIGHT)
+            return Plot.linear(lit, ANGLE, "relative radiance", WIDTH, HEIGHT)
                     .line("response", angles, values[0])
                     .draw();
         }
@@ -214,8 +217,8 @@ record Evaluation(
         double[][] rows = new Array2DRowRealMatrix(values, false).transpose().getData();
         double[] x = HeatMap.Values.around(wavelengths);
         double[] y = HeatMap.Values.around(angles);
-        HeatMap.Colors colors = new HeatMap.Colors(
-                "relative radiance rho", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS);
+        HeatMap.Colors colors =
+                new HeatMap.Colors("relative radiance", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS);
         HeatMap map = new HeatMap(
                 new HeatMap.Frame(title, "wavelength / nm", ANGLE, WIDTH, HEIGHT, false),
                 new HeatMap.Values(rows, x, y, colors, HeatMap.Reduction.LARGEST));
@@ -223,7 +226,7 @@ record Evaluation(
             boolean towardsNormal = !Double.isNaN(grid.plane().thetaR(-grid.wavelengths()[0] / period.period()));
             int order = ridge.map(Ridge::order).orElse(towardsNormal ? 1 : -1);
             map.interval(
-                    "the period, " + period.interval().replace(", 95 % interval", "; dotted: 95 % interval"),
+                    "period " + period.interval().replace("95 % interval", "95 % (dotted)"),
                     wavelengths,
                     equation(grid, order, period.period()),
                     equation(grid, order, period.low()),
@@ -233,10 +236,10 @@ record Evaluation(
         ridge.ifPresent(found -> {
             double mean = found.statistics().getMean();
             double[] fitted = equation(grid, found.order(), mean);
-            map.curve("grating equation for the peaks' mean", wavelengths, fitted, FITTED, false);
+            map.curve("grating equation for the peaks' mean", wavelengths, fitted, FITTED, FITTED_DASHES);
             String name = Text.format("peaks: %s (mean %.1f nm)", ValueKind.name(peaks), mean * NANOMETERS);
             double[] ridgeWavelengths = map(found.wavelengths(), meters -> meters * NANOMETERS);
-            map.curve(name, ridgeWavelengths, map(found.angles(), Math::toDegrees), PEAKS, true);
+            map.curve(name, ridgeWavelengths, map(found.angles(), Math::toDegrees), PEAKS, PEAKS_DASHES);
         });
         return map.draw();
     }

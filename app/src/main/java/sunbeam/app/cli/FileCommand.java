@@ -15,6 +15,7 @@ import sunbeam.app.files.output.AtomicFile.StreamContent;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.precompute.patch.Patch;
@@ -60,15 +61,11 @@ public abstract class FileCommand extends ReportingCommand {
 
     /** Writes a report as table, JSON and picture, whose ending is the group's first, and prints their names or the report. */
     protected final void write(
-            FileGroup files,
-            Map<String, Object> report,
-            StreamContent csv,
-            BufferedImage picture,
-            Map<String, String> text) {
+            FileGroup files, Map<String, Object> report, StreamContent csv, Drawing picture, Map<String, String> text) {
         Map<String, StreamContent> contents = new LinkedHashMap<>();
         contents.put(".csv", csv);
         contents.put(".json", StreamContent.of(JsonOption.text(json.withCommand(report))));
-        contents.put(files.endings().get(0), stream -> PngWriter.write(stream, picture, text));
+        contents.put(files.endings().get(0), stream -> PngWriter.write(stream, picture.rasterize(), text));
         json.print(out(), report, files.write(contents));
     }
 

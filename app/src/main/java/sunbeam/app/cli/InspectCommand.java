@@ -1,6 +1,5 @@
 package sunbeam.app.cli;
 
-import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,6 +15,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.HeatMap.Colors;
 import sunbeam.app.files.plot.HeatMap.Frame;
@@ -92,7 +92,7 @@ public final class InspectCommand extends FileCommand {
         // Also --json makes the plan, but writes the same picture as without it.
         inspection.plan().filter(summary -> explain).ifPresent(summary -> text.put("Plan", summary));
         InspectionSheet sheet = new InspectionSheet(inspection, loaded.scan(), lines.subList(1, lines.size()));
-        Path place = PngWriter.write(picture, overwrite(output), sheet.draw(), text);
+        Path place = PngWriter.write(picture, overwrite(output), sheet.draw().rasterize(), text);
         Map<String, Object> fields = inspection.fields();
         fields.put("thumbnail_px", sheet.thumbnail());
         json.print(out, fields, List.of(place));
@@ -100,11 +100,13 @@ public final class InspectCommand extends FileCommand {
     }
 
     private record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines) {
-        private static final int PANEL_WIDTH = 860;
-        private static final int LABELS = 90;
-        private static final int PICTURE_HEIGHT = 720;
-        private static final int PLOT_HEIGHT = 420;
+        private static final int PANEL_WIDTH = Drawing.COLUMN / 2;
+        private static final int LABELS = 130;
+        private static final int PICTURE_HEIGHT = 600;
+        private static final int PLOT_HEIGHT = 460;
         private static final int HISTOGRAM_BINS = 100;
+        // Least width of a bin, meters, where all heights are equal.
+        private static final double LEAST_STEP = 1e-12;
         // Share of the lowest and of the highest heights that the gray scale leaves out.
         private static final double DUST = 0.001;
         private static final int PROFILE_PERIODS = 12;
@@ -130,11 +132,11 @@ public final class InspectCommand extends FileCommand {
             return List.of(0, text().height(), 2 * PANEL_WIDTH, PICTURE_HEIGHT);
         }
 
-        BufferedImage draw() {
+        Drawing draw() {
             return text().row(heights(), spectrum()).row(histogram(), profile()).draw();
         }
 
-        private BufferedImage heights() {
+        private Drawing heights() {
             double[][] rows = new double[map.rows()][map.columns()];
             for (int row = 0; row < map.rows(); row++) {
                 int mapRow = map.rows() - 1 - row;
@@ -144,40 +146,44 @@ public final class InspectCommand extends FileCommand {
             double[] heights = map.heights();
             double low = Quantiles.of(heights, DUST) * NANOMETERS;
             double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETERS, low + 1e-3);
-            Colors colors = new Colors("height / nm", low, high, Plot.Scale.LINEAR, HeatMap.ColorMap.GRAY);
+            Colors colors = new Colors("", low, high, Plot.Scale.LINEAR, HeatMap.ColorMap.GRAY);
             double width = map.width() * MICROMETERS;
             double bar = Plot.round(0.25 * width);
             double[] x = {0, width};
             double[] y = {0, map.height() * MICROMETERS};
             return new HeatMap(
-                            new Frame("Heights", "x / um", "y / um", PANEL_WIDTH, PICTURE_HEIGHT, true),
+                            new Frame("Height / nm", "x / um", "y / um", PANEL_WIDTH, PICTURE_HEIGHT, true),
                             new Values(rows, x, y, colors, HeatMap.Reduction.MIDDLE))
                     .scaleBar(Lengths.format(bar / MICROMETERS), bar)
                     .draw();
         }
 
-        private BufferedImage spectrum() {
+        private Drawing spectrum() {
             HeightSpectrum spectrum = inspection.spectrum();
             GratingPeriod period = inspection.period();
             double shown =
                     Math.max(LEAST_SHOWN, SHOWN_PER_PERIOD * period.wave().length());
             int reachX = (int) Math.min(spectrum.bandX().last(), Math.ceil(shown * spectrum.width()));
             int reachY = (int) Math.min(spectrum.bandY().last(), Math.ceil(shown * spectrum.height()));
+            boolean profile = map.columns() == 1 || map.rows() == 1;
+            // Power by the area of a bin, or by its length.
+            double density = profile
+                    ? NANOMETERS * NANOMETERS * MICROMETERS * (map.rows() == 1 ? spectrum.width() : spectrum.height())
+                    : Math.pow(NANOMETERS, 4) * spectrum.width() * spectrum.height();
             double[][] rows = new double[2 * reachY + 1][2 * reachX + 1];
             for (int row = 0; row < rows.length; row++) {
                 int jy = row - reachY;
-                Arrays.setAll(rows[row], column -> spectrum.at(column - reachX, jy) * NANOMETERS * NANOMETERS);
+                Arrays.setAll(rows[row], column -> density * spectrum.at(column - reachX, jy));
             }
             double largest =
                     Arrays.stream(rows).flatMapToDouble(Arrays::stream).max().orElse(0);
             double high = largest > 0 ? largest : 1;
-            Colors colors = new Colors(
-                    "power of a bin / nm^2", SPAN * high, high, Plot.Scale.LOGARITHMIC, HeatMap.ColorMap.VIRIDIS);
+            Colors colors = new Colors("", SPAN * high, high, Plot.Scale.LOGARITHMIC, HeatMap.ColorMap.VIRIDIS);
             double halfX = (reachX + 0.5) / spectrum.width() / MICROMETERS;
             double halfY = (reachY + 0.5) / spectrum.height() / MICROMETERS;
             double[] x = {-halfX, halfX};
             double[] y = {-halfY, halfY};
-            String title = "Power spectrum of the heights";
+            String title = "Power spectral density / " + (profile ? "nm^2 um" : "nm^4");
             String axis = "periods per um along ";
             HeatMap picture = new HeatMap(
                     new Frame(title, axis + "x", axis + "y", PANEL_WIDTH, PICTURE_HEIGHT, true),
@@ -190,28 +196,29 @@ public final class InspectCommand extends FileCommand {
             return picture.draw();
         }
 
-        private BufferedImage histogram() {
+        private Drawing histogram() {
             double low = map.minimum();
-            double step = Math.max(map.relief() / (HISTOGRAM_BINS - 1), Double.MIN_NORMAL);
+            double step = Math.max(map.relief() / (HISTOGRAM_BINS - 1), LEAST_STEP);
             double[] shares = new double[HISTOGRAM_BINS];
+            double one = 1 / (step * NANOMETERS * map.columns() * map.rows());
             // Heights count in two neighboring bins, by distance, so that the levels of an 8-bit scan are no comb.
             for (double height : map.heights()) {
                 double place = (height - low) / step;
                 int bin = Math.min(HISTOGRAM_BINS - 2, (int) place);
-                shares[bin] += 100 * (1 - (place - bin)) / (map.columns() * map.rows());
-                shares[bin + 1] += 100 * (place - bin) / (map.columns() * map.rows());
+                shares[bin] += one * (1 - (place - bin));
+                shares[bin + 1] += one * (place - bin);
             }
             double[] centers = IntStream.range(0, HISTOGRAM_BINS)
                     .mapToDouble(bin -> (low + bin * step) * NANOMETERS)
                     .toArray();
-            return Plot.linear("Histogram", "height / nm", "share of the surface / %", PANEL_WIDTH, PLOT_HEIGHT)
+            return Plot.linear("Share of the surface per nm", "height / nm", "", PANEL_WIDTH, PLOT_HEIGHT)
                     .fromZero()
                     .line("share", centers, shares)
                     .draw();
         }
 
         /** Samples a line through the center at the finer of both pitches, as far as the patch reaches. */
-        private BufferedImage profile() {
+        private Drawing profile() {
             GratingPeriod period = inspection.period();
             boolean column = map.columns() == 1;
             double direction = period.hasWave() ? period.azimuth() : column ? 0.5 * Math.PI : 0;
@@ -230,8 +237,7 @@ public final class InspectCommand extends FileCommand {
                 heights[i] = at((i - half) * pitch * cosine, (i - half) * pitch * sine) * NANOMETERS;
             }
             String title = Text.format(
-                    "Profile through the center, direction %.1f degrees",
-                    Math.rint(10 * Math.toDegrees(direction)) / 10 + 0.0);
+                    "Profile through the center, %.1f\u00b0", Math.rint(10 * Math.toDegrees(direction)) / 10 + 0.0);
             return Plot.linear(title, "position / um", "height / nm", PANEL_WIDTH, PLOT_HEIGHT)
                     .line("heights", positions, heights)
                     .draw();

@@ -7,7 +7,6 @@ import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
-import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -24,6 +23,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3f;
 import sunbeam.app.cli.Certificate.Limits;
 import sunbeam.app.cli.MaterialMap.Result;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.gpu.BrdfMapRenderer;
 import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
@@ -250,22 +250,34 @@ final class MaterialMap {
     }
 
     record MapSheet(List<Result> maps, DisplayTransform display) {
-        private static final int MOST_COLUMNS = 3;
+        private static final int MOST_COLUMNS = 2;
         private static final int GAP = 8;
 
+        /** Draws the discs alone, side by side, at most two in a row, transparent between them. */
         BufferedImage plain() {
-            return sheet(maps.stream().map(map -> map.picture().shown(display)).toList());
+            List<BufferedImage> pictures =
+                    maps.stream().map(map -> map.picture().shown(display)).toList();
+            if (pictures.size() == 1) {
+                return pictures.get(0);
+            }
+            Drawing sheet = sheet(pictures.stream().map(Drawing::of).toList());
+            BufferedImage image = new BufferedImage(sheet.width(), sheet.height(), BufferedImage.TYPE_INT_ARGB);
+            sheet.drawAt(image.createGraphics(), 0, 0);
+            return image;
         }
 
         /** Draws the maps with rings, marks and captions; the choices are those before a scan's size limits the coherence length. */
-        BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
+        Drawing annotated(Optional<String> index, String exposed, Choices asked, double width) {
             Choices light = asked.only(MethodSettings.LIGHT)
                     .over(asked.only(List.of(SceneSettings.ROTATE_PATCH, SceneSettings.ANGULAR_DIAMETER)));
             String remarks = (light.chosen().isEmpty() ? "" : light.describe() + "; ")
                     + index.map(words -> "refractive index " + words + "; ").orElse("");
             return sheet(maps.stream()
                     .map(map -> new MapAnnotation(
-                                    map.picture().shown(display), map.light(), caption(map, remarks, asked, exposed))
+                                    map.picture().shown(display),
+                                    map.light(),
+                                    caption(map, remarks, asked, exposed),
+                                    width / Math.min(MOST_COLUMNS, maps.size()))
                             .draw())
                     .toList());
         }
@@ -328,25 +340,15 @@ final class MaterialMap {
             return parts.stream().map(words).collect(Collectors.joining(between));
         }
 
-        /** Lays pictures side by side, at most three in a row, tops aligned, transparent between them; a single one stays. */
-        private static BufferedImage sheet(List<BufferedImage> pictures) {
+        private static Drawing sheet(List<Drawing> pictures) {
             if (pictures.size() == 1) {
                 return pictures.get(0);
             }
-            int columns = Math.min(MOST_COLUMNS, pictures.size());
-            int rows = (pictures.size() + columns - 1) / columns;
-            int width =
-                    pictures.stream().mapToInt(BufferedImage::getWidth).max().orElseThrow();
-            int height =
-                    pictures.stream().mapToInt(BufferedImage::getHeight).max().orElseThrow();
-            BufferedImage sheet = new BufferedImage(
-                    columns * (width + GAP) - GAP, rows * (height + GAP) - GAP, BufferedImage.TYPE_INT_ARGB);
-            Graphics2D graphics = sheet.createGraphics();
-            for (int i = 0; i < pictures.size(); i++) {
-                graphics.drawImage(pictures.get(i), i % columns * (width + GAP), i / columns * (height + GAP), null);
-            }
-            graphics.dispose();
-            return sheet;
+            Drawing[] rows = IntStream.iterate(0, i -> i < pictures.size(), i -> i + MOST_COLUMNS)
+                    .mapToObj(first -> pictures.subList(first, Math.min(first + MOST_COLUMNS, pictures.size())))
+                    .map(row -> Drawing.row(GAP, row.toArray(Drawing[]::new)))
+                    .toArray(Drawing[]::new);
+            return Drawing.column(GAP, rows);
         }
     }
 }

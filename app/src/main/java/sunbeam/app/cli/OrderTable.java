@@ -95,6 +95,19 @@ record OrderTable(
                 .toList();
     }
 
+    /** Returns the orders to draw, by their numbers: of a grating all up to the strongest one farthest from the mirror's. */
+    static List<Series> shown(List<Series> orders) {
+        List<Series> strongest = strongest(orders);
+        boolean grating = orders.stream().allMatch(series -> series.order.n() == 0);
+        int farthest = strongest.stream()
+                .mapToInt(series -> Math.abs(series.order.m()))
+                .max()
+                .orElse(0);
+        return orders.stream()
+                .filter(series -> strongest.contains(series) || (grating && Math.abs(series.order.m()) <= farthest))
+                .toList();
+    }
+
     List<String> lines() {
         Incidence first = incidences.get(0);
         OrderLight middle = first.lights.get(first.lights.size() / 2);

@@ -1,6 +1,5 @@
 package sunbeam.app.cli;
 
-import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -15,6 +14,7 @@ import sunbeam.app.cli.OrderTable.Series;
 import sunbeam.app.cli.PatchOptions.IndexOption;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.FileGroup;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.terminal.Messages;
@@ -47,9 +47,11 @@ import sunbeam.precompute.units.Lengths;
         })
 public final class OrdersCommand extends FileCommand {
     private static final double LARGEST_THETA = 89.9;
-    private static final int PLOT_WIDTH = 1100;
-    private static final int PLOT_HEIGHT = 560;
+    private static final int PLOT_WIDTH = Drawing.COLUMN;
+    private static final int PLOT_HEIGHT = 800;
     private static final int MOST_PLOTS = 12;
+    // Excess of light over a mirror's, relative to it, that rounding does not make.
+    private static final double ROUNDING = 1e-6;
     // Limits of a patch's orders (500 MB for a relief of 1 um), of evaluated orders (minutes), and of written ones.
     private static final long MOST_ORDERS = 4_000_000;
     private static final double DEEPEST = 20e-6;
@@ -171,7 +173,7 @@ public final class OrdersCommand extends FileCommand {
         return new OrderTable(patch, period, verdict, lattice, phi, incidences, cie);
     }
 
-    private static BufferedImage plot(OrderTable table) {
+    private static Drawing plot(OrderTable table) {
         Sheet sheet = new Sheet(PLOT_WIDTH)
                 .heading(table.patch().name() + ": " + table.verdict().sentence());
         List<Incidence> incidences = table.incidences();
@@ -181,7 +183,7 @@ public final class OrdersCommand extends FileCommand {
             List<OrderLight> lights =
                     incidences.stream().flatMap(one -> one.lights().stream()).toList();
             String title = OrderTable.nanometers(lights.get(0)) + azimuth;
-            String axis = "angle of incidence theta_i / degrees";
+            String axis = "angle of incidence / degrees";
             ToDoubleFunction<OrderLight> theta =
                     light -> Math.toDegrees(Math.acos(light.wi().z()));
             return sheet.row(plot(title, axis, theta, lights, OrderTable.series(lights)))
@@ -195,11 +197,11 @@ public final class OrdersCommand extends FileCommand {
         return sheet.draw();
     }
 
-    private static BufferedImage plot(
+    private static Drawing plot(
             String title, String axis, ToDoubleFunction<OrderLight> x, List<OrderLight> lights, List<Series> orders) {
-        Plot plot = Plot.linear(title, axis, "efficiency / share of the incident light", PLOT_WIDTH, PLOT_HEIGHT)
+        Plot plot = Plot.linear(title, axis, "share of the incident light", PLOT_WIDTH, PLOT_HEIGHT)
                 .fromZero();
-        for (Series series : OrderTable.strongest(orders)) {
+        for (Series series : OrderTable.shown(orders)) {
             plot.line(
                     "order " + series.order().in(lights.get(0).lattice()),
                     series.values(seen -> x.applyAsDouble(seen.light())),
@@ -208,7 +210,8 @@ public final class OrdersCommand extends FileCommand {
         double[] all = lights.stream().mapToDouble(x).toArray();
         double[] sums = lights.stream().mapToDouble(OrderLight::sum).toArray();
         double[] mirror = lights.stream().mapToDouble(OrderLight::mirror).toArray();
-        return plot.line("all light", all, sums)
+        boolean more = IntStream.range(0, sums.length).anyMatch(i -> sums[i] > mirror[i] * (1 + ROUNDING));
+        return plot.line(more ? "all light (scalar theory, more than a mirror's)" : "all light", all, sums)
                 .outline("flat mirror", all, mirror)
                 .draw();
     }

@@ -17,7 +17,9 @@ import picocli.CommandLine.Option;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.PlotStyle;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.terminal.ExitCode;
@@ -143,10 +145,11 @@ public final class PrecomputeCommand extends FileCommand {
      * @param extremes result: least and greatest real, least and greatest imaginary part of each power from 0 on; 0 for powers left out
      */
     private record FourierImages(HeightMap map, List<Integer> powers, double[][] extremes) {
-        private static final int SIDE = 300;
-        private static final int CAPTION = 28;
+        private static final int SIDE = (Drawing.COLUMN - 24) / 3;
+        private static final int CAPTION = 48;
         private static final int GAP = 12;
-        private static final int PLOT_WIDTH = 640;
+        private static final int PLOT_HEIGHT = 800;
+        private static final int ACROSS = 3;
         private static final double MICROMETERS = 1e6;
         // Smallest magnitude that differs from 0 in an image, relative to the largest real or imaginary part.
         private static final double SPAN = 1e-4;
@@ -156,10 +159,11 @@ public final class PrecomputeCommand extends FileCommand {
         private static final int GREEN = 2;
 
         BufferedImage draw() {
-            int width = powers.size() * (SIDE + GAP) - GAP + (powers.size() > 1 ? GAP + PLOT_WIDTH : 0);
-            return new Sheet(width)
-                    .part(SIDE + CAPTION, graphics -> draw(graphics, width))
-                    .draw();
+            int rows = (powers.size() + ACROSS - 1) / ACROSS;
+            Sheet sheet = new Sheet(Drawing.COLUMN).part(rows * (SIDE + CAPTION), this::draw);
+            return (powers.size() > 1 ? sheet.part(PLOT_HEIGHT, graphics -> plot().drawAt(graphics, 0, 0)) : sheet)
+                    .draw()
+                    .rasterize();
         }
 
         /** Returns the largest magnitude of a real or imaginary part of a power. */
@@ -170,7 +174,7 @@ public final class PrecomputeCommand extends FileCommand {
                     .orElseThrow();
         }
 
-        private void draw(Graphics2D graphics, int width) {
+        private void draw(Graphics2D graphics) {
             boolean plotted = powers.size() > 1;
             int last = extremes[0].length - 1;
             for (int n = plotted ? 0 : last; n <= last; n++) {
@@ -179,14 +183,13 @@ public final class PrecomputeCommand extends FileCommand {
                 extremes[1][n] = StatUtils.max(bins.real());
                 extremes[2][n] = StatUtils.min(bins.imaginary());
                 extremes[3][n] = StatUtils.max(bins.imaginary());
-                int place = powers.indexOf(n) * (SIDE + GAP);
-                if (place >= 0) {
-                    graphics.drawImage(image(bins, largest(n)), place, 0, SIDE, SIDE, null);
-                    graphics.drawString("(i h)^" + n, place + 4, SIDE + CAPTION - 9);
+                int number = powers.indexOf(n);
+                if (number >= 0) {
+                    int x = number % ACROSS * (SIDE + GAP);
+                    int y = number / ACROSS * (SIDE + CAPTION);
+                    graphics.drawImage(image(bins, largest(n)), x, y, SIDE, SIDE, null);
+                    graphics.drawString(PlotStyle.typeset("(i h)^" + n), x + 4, y + SIDE + CAPTION - 12);
                 }
-            }
-            if (plotted) {
-                graphics.drawImage(plot(), width - PLOT_WIDTH, 0, null);
             }
         }
 
@@ -238,7 +241,7 @@ public final class PrecomputeCommand extends FileCommand {
             return (int) Math.round(127.5 * (1 + Math.copySign(brightness, value)));
         }
 
-        private BufferedImage plot() {
+        private Drawing plot() {
             double[] exponents =
                     IntStream.range(0, extremes[0].length).asDoubleStream().toArray();
             double[][] magnitudes = Arrays.stream(extremes)
@@ -251,8 +254,8 @@ public final class PrecomputeCommand extends FileCommand {
                             "Extreme values",
                             Plot.Axis.linear("power n"),
                             Plot.Axis.logarithmic("|DFT of (i h)^n| / um^n"),
-                            PLOT_WIDTH,
-                            SIDE + CAPTION))
+                            Drawing.COLUMN,
+                            PLOT_HEIGHT))
                     .line("greatest real", exponents, magnitudes[1], RED)
                     .points("least real", exponents, magnitudes[0], RED)
                     .line("greatest imaginary", exponents, magnitudes[3], GREEN)

@@ -77,13 +77,16 @@ class ColorSheetTest {
         String told = report.purest().orElseThrow().hex();
         Map<String, Object> settings =
                 Map.of("exposure", EXPOSURE, "index", "1.5", "method", "full", "options", "tolerance 0.001");
-        BufferedImage sheet = new ColorSheet(List.of(report), settings, CIE).draw();
+        ColorSheet colors = new ColorSheet(List.of(report), settings, CIE);
+        BufferedImage sheet = colors.draw().rasterize();
         assertThat(ColorSheet.title(report)).contains("purest (square) " + told + " at -30\u00b0");
         assertThat(report.lines())
                 .anyMatch(line -> line.contains("purest color at -30 degrees") && line.contains(told));
         // A pixel of the cell at -30 degrees, beside its mark, in the strip below the title.
-        int x = 130 + (50 * (1280 - 160)) / 160;
-        assertThat(String.format("#%06x", sheet.getRGB(x, 80) & 0xffffff)).isEqualTo(told);
+        List<Integer> strips = colors.thumbnail();
+        int x = strips.get(0) + 50 * strips.get(2) / 160;
+        assertThat(String.format("#%06x", sheet.getRGB(x, strips.get(1) + 10) & 0xffffff))
+                .isEqualTo(told);
     }
 
     @Test

@@ -12,6 +12,7 @@ import java.util.stream.IntStream;
 import sunbeam.app.cli.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.Illuminant;
@@ -29,8 +30,8 @@ enum FigurePlot {
     @JsonProperty("errors")
     ERRORS;
 
-    private static final int WIDTH = 800;
-    private static final int HEIGHT = 480;
+    private static final int WIDTH = Drawing.COLUMN;
+    private static final int HEIGHT = 800;
     private static final double EQUAL_POWER = 100;
 
     /** Draws the plot, and writes its numbers, if it has any, as JSON; a plot of fewer than two results is left out. */

@@ -4,6 +4,7 @@ import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -21,6 +22,7 @@ import sunbeam.app.cli.SettingOptions;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.HeatMap.ColorMap;
 import sunbeam.app.files.plot.Plot;
@@ -54,13 +56,13 @@ import sunbeam.precompute.units.Decimals;
                 + " exit code 3. For a goniometer's table use docs/examples/compare_goniometer.py.",
         footer = {"  sunbeam compare photo.tif scene.json"})
 public final class CompareCommand extends FileCommand {
-    private static final int PANEL = 720;
-    private static final int MARGIN = 24;
+    private static final int PANEL = Drawing.COLUMN / 2 - 48;
+    private static final int MARGIN = 48;
     /** Pixels to the left and right of a map's cells for axes and color bar. */
-    private static final int MAP_BESIDE = 190;
+    private static final int MAP_BESIDE = 250;
 
-    private static final int MAP_ABOVE = 130;
-    private static final int LEAST_PLOT = 420;
+    private static final int MAP_ABOVE = 200;
+    private static final int LEAST_PLOT = 560;
     // Least upper end of the color scale, CIEDE2000: a scale that ends below visible differences would show rounding.
     private static final double LEAST_SCALE = 1;
     // Most pixels of the longer side by default; at a photograph's own size drawing would take an hour.
@@ -126,14 +128,14 @@ public final class CompareCommand extends FileCommand {
         Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
         ScenePicture picture = draw(loader, scene, drawn);
         PhotoComparison comparison = PhotoComparison.of(linear, picture, Optional.ofNullable(factor));
-        BufferedImage sheet = sheet(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
+        Drawing sheet = sheet(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
         String sizes = Text.oneLine(photo.getFileName().toString()) + ", " + photograph.width() + "x"
                 + photograph.height() + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
         String caption = SceneWriter.caption(scene);
         String lines = String.join("\n", comparison.lines());
         Map<String, String> text = new TreeMap<>(
                 Map.of("Title", "Photograph and scene", "Photograph", sizes, "Scene", caption, "Comparison", lines));
-        Path written = PngWriter.write(target, overwrite(output), sheet, text);
+        Path written = PngWriter.write(target, overwrite(output), sheet.rasterize(), text);
         Map<String, Object> values = new LinkedHashMap<>(Map.of("photograph", sizes));
         values.putAll(comparison.values());
         PrintWriter out = out(output);
@@ -189,14 +191,14 @@ public final class CompareCommand extends FileCommand {
     }
 
     /** Picture of a comparison: photograph and scene, below them a map of their difference and histograms of their hues. */
-    private static BufferedImage sheet(
+    private static Drawing sheet(
             ScenePicture photo, ScenePicture scene, PhotoComparison comparison, SceneColor background) {
         int height = Math.max(1, PANEL * photo.height() / photo.width());
         int plots = Math.max(LEAST_PLOT, (PANEL - MAP_BESIDE) * photo.height() / photo.width() + MAP_ABOVE);
         Sheet sheet = new Sheet(2 * (MARGIN + PANEL))
                 .part(MARGIN, graphics -> {
-                    graphics.drawString("Photograph", MARGIN, MARGIN - 6);
-                    graphics.drawString("The mesh alone, at the photograph's exposure", 2 * MARGIN + PANEL, MARGIN - 6);
+                    graphics.drawString("Photograph", MARGIN, MARGIN - 14);
+                    graphics.drawString("Mesh, at the photograph's exposure", 2 * MARGIN + PANEL, MARGIN - 14);
                 })
                 .part(height, graphics -> {
                     graphics.setRenderingHint(
@@ -214,7 +216,7 @@ public final class CompareCommand extends FileCommand {
         return PixelPicture.image(picture, new DisplayTransform(exposure, Tone.CLIP), background);
     }
 
-    private static BufferedImage difference(ScenePicture photo, PhotoComparison comparison, int height) {
+    private static Drawing difference(ScenePicture photo, PhotoComparison comparison, int height) {
         int columns = photo.width();
         double[][] rows = new double[photo.height()][columns];
         for (int row = 0; row < rows.length; row++) {
@@ -230,15 +232,20 @@ public final class CompareCommand extends FileCommand {
         return new HeatMap(frame, new HeatMap.Values(rows, across, up, colors, HeatMap.Reduction.MIDDLE)).draw();
     }
 
-    private static BufferedImage hues(PhotoComparison.HueComparison hue, int height) {
+    private static Drawing hues(PhotoComparison.HueComparison hue, int height) {
         double[] degrees = IntStream.range(0, hue.first().length)
                 .mapToDouble(step -> PhotoComparison.HueComparison.STEP_DEGREES * (step + 0.5))
                 .toArray();
-        String x = "hue h* / degrees (0 red, 90 yellow, 180 green, 270 blue)";
-        return Plot.linear("Hues of colored pixels", x, "share of pixels per 10 degrees", PANEL + MARGIN, height)
-                .legendBelow()
-                .line("photograph", degrees, hue.first())
-                .line("scene", degrees, hue.second())
+        String x = "hue h* / degrees";
+        return Plot.linear("Hues of colored pixels", x, "share of pixels per degree", PANEL + MARGIN, height)
+                .line("photograph", degrees, perDegree(hue.first()))
+                .line("scene", degrees, perDegree(hue.second()))
                 .draw();
+    }
+
+    private static double[] perDegree(double[] shares) {
+        return Arrays.stream(shares)
+                .map(share -> share / PhotoComparison.HueComparison.STEP_DEGREES)
+                .toArray();
     }
 }

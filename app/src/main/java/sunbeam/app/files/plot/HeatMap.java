@@ -29,19 +29,18 @@ import org.jfree.data.xy.DefaultXYDataset;
 public final class HeatMap {
     // Ratio of the sides from which a matrix is a thin strip, which is drawn broader than its scales.
     private static final double THIN_STRIP_RATIO = 10;
-    private static final double SPACE_LEFT = 76;
-    private static final double SPACE_BELOW = 64;
+    private static final double SPACE_LEFT = 120;
+    private static final double SPACE_BELOW = 94;
     private static final double GAP = 12;
     private static final int SHADES = 256;
-    private static final float CURVE_WIDTH = 2;
-    private static final float RIM_WIDTH = 1;
+    private static final float CURVE_WIDTH = 4;
+    private static final float RIM_WIDTH = 1.5f;
     private static final Color SHADE = new Color(0, 0, 0, 150);
-    private static final float[] SOLID = null;
-    private static final float[] DASHED = {10, 8};
-    private static final float[] DOTTED = {3, 6};
+    private static final float[] DOTTED = {4, 9};
 
     private final Frame frame;
     private final Values values;
+    private final StringBuilder names = new StringBuilder();
     private final DefaultXYDataset curves = new DefaultXYDataset();
     private final XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
 
@@ -78,9 +77,9 @@ public final class HeatMap {
         this.values = values;
     }
 
-    /** Adds a curve with an entry in the legend and a dark rim; points that are NaN or outside the axes interrupt it. */
-    public HeatMap curve(String name, double[] x, double[] y, int rgb, boolean dashed) {
-        add(name, x, y, rgb, dashed ? DASHED : SOLID, true);
+    /** Adds a curve with an entry in the legend and a dark rim, or a white one if it is black; points that are NaN or outside the axes interrupt it. */
+    public HeatMap curve(String name, double[] x, double[] y, int rgb, float... dashes) {
+        add(name, x, y, rgb, dashes, true);
         return this;
     }
 
@@ -89,7 +88,7 @@ public final class HeatMap {
         for (double[] side : List.of(oneSide, otherSide)) {
             add(name + curves.getSeriesCount(), x, atCommonPoints(side, y, oneSide, otherSide), rgb, DOTTED, false);
         }
-        add(name, x, atCommonPoints(y, oneSide, otherSide), rgb, SOLID, true);
+        add(name, x, atCommonPoints(y, oneSide, otherSide), rgb, new float[0], true);
         return this;
     }
 
@@ -104,28 +103,34 @@ public final class HeatMap {
     }
 
     private void add(String name, double[] x, double[] y, int rgb, float[] dashes, boolean inLegend) {
-        series(name + " rim", x, y, Color.BLACK, stroke(CURVE_WIDTH + 2 * RIM_WIDTH, dashes), false);
-        series(name, x, y, new Color(rgb), stroke(CURVE_WIDTH, dashes), inLegend);
+        series(
+                name + " rim",
+                x,
+                y,
+                rgb == 0 ? Color.WHITE : Color.BLACK,
+                PlotStyle.stroke(CURVE_WIDTH + 2 * RIM_WIDTH, dashes),
+                false);
+        series(name, x, y, new Color(rgb), PlotStyle.stroke(CURVE_WIDTH, dashes), inLegend);
     }
 
     private void series(String name, double[] x, double[] y, Color color, BasicStroke stroke, boolean inLegend) {
         int index = curves.getSeriesCount();
-        curves.addSeries(name, new double[][] {x, y});
+        names.append(name);
+        curves.addSeries(PlotStyle.typeset(name), new double[][] {x, y});
         renderer.setSeriesPaint(index, color);
         renderer.setSeriesStroke(index, stroke);
         renderer.setSeriesVisibleInLegend(index, inLegend);
     }
 
-    private static BasicStroke stroke(float width, float[] dashes) {
-        return new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
-    }
-
     public HeatMap mark(String label, double x, double y) {
         boolean right = x > 0.5 * (values.xRange()[0] + values.xRange()[1]);
-        XYPointerAnnotation arrow = new XYPointerAnnotation(label, x, y, (right ? 0.75 : 0.25) * Math.PI);
+        XYPointerAnnotation arrow =
+                new XYPointerAnnotation(PlotStyle.typeset(label), x, y, (right ? 0.75 : 0.25) * Math.PI);
         arrow.setArrowPaint(PlotStyle.MARK);
-        arrow.setArrowStroke(new BasicStroke(2));
-        arrow.setBaseRadius(32);
+        arrow.setArrowStroke(new BasicStroke(4));
+        arrow.setBaseRadius(60);
+        arrow.setArrowLength(14);
+        arrow.setArrowWidth(8);
         arrow.setTextAnchor(right ? TextAnchor.CENTER_RIGHT : TextAnchor.CENTER_LEFT);
         annotate(arrow);
         return this;
@@ -133,12 +138,12 @@ public final class HeatMap {
 
     public HeatMap scaleBar(String label, double length) {
         double left = values.xRange()[0] + 0.03 * (values.xRange()[1] - values.xRange()[0]);
-        double unit = 0.01 * (values.yRange()[1] - values.yRange()[0]);
+        double unit = 0.015 * (values.yRange()[1] - values.yRange()[0]);
         double bottom = values.yRange()[0] + 3 * unit;
-        renderer.addAnnotation(
-                new XYBoxAnnotation(left, bottom, left + length, bottom + unit, stroke(2, SOLID), SHADE, Color.WHITE));
-        XYTextAnnotation text = new XYTextAnnotation(label, left + 0.5 * length, bottom + 2 * unit);
-        text.setTextAnchor(TextAnchor.BOTTOM_CENTER);
+        renderer.addAnnotation(new XYBoxAnnotation(
+                left, bottom, left + length, bottom + unit, PlotStyle.stroke(2), SHADE, Color.WHITE));
+        XYTextAnnotation text = new XYTextAnnotation(PlotStyle.typeset(label), left, bottom + 3 * unit);
+        text.setTextAnchor(TextAnchor.BOTTOM_LEFT);
         annotate(text);
         return this;
     }
@@ -150,11 +155,11 @@ public final class HeatMap {
         renderer.addAnnotation(text);
     }
 
-    public BufferedImage draw() {
-        return draw(new ChartRenderingInfo());
+    public Drawing draw() {
+        return draw(null);
     }
 
-    BufferedImage draw(ChartRenderingInfo info) {
+    Drawing draw(ChartRenderingInfo info) {
         ValueAxis horizontal = PlotStyle.horizontal(Plot.Axis.linear(frame.xLabel()));
         horizontal.setRange(values.xRange()[0], values.xRange()[1]);
         ValueAxis upright = PlotStyle.upright(Plot.Axis.linear(frame.yLabel()));
@@ -169,7 +174,7 @@ public final class HeatMap {
         plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
         // Without this setting, each segment begins with a dash of its own.
         renderer.setDrawSeriesLineAsPath(true);
-        renderer.setLegendLine(new Line2D.Double(-16, 0, 16, 0));
+        renderer.setLegendLine(new Line2D.Double(-32, 0, 32, 0));
         plot.setBackgroundImage(cells());
         plot.setBackgroundImageAlpha(1);
         AxisSpace space = new AxisSpace();
@@ -179,7 +184,7 @@ public final class HeatMap {
         plot.setFixedDomainAxisSpace(space);
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
         if (curves.getSeriesCount() > 0) {
-            chart.addSubtitle(PlotStyle.legend(plot, RectangleEdge.BOTTOM));
+            chart.addSubtitle(PlotStyle.legend(plot, names.toString()));
         }
         PaintScaleLegend bar = colorBar();
         chart.addSubtitle(bar);
@@ -192,7 +197,7 @@ public final class HeatMap {
             plot.setInsets(insets);
             bar.setMargin(insets.getTop(), GAP, insets.getBottom() + SPACE_BELOW, 0);
         }
-        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, info);
+        return PlotStyle.drawing(chart, frame.width(), frame.height(), info);
     }
 
     /** Returns an image with one pixel for each cell: JFreeChart would draw millions of rectangles. */
@@ -244,7 +249,7 @@ public final class HeatMap {
         bar.setMargin(0, GAP, SPACE_BELOW, 0);
         bar.setPosition(RectangleEdge.RIGHT);
         bar.setAxisLocation(AxisLocation.BOTTOM_OR_RIGHT);
-        bar.setStripWidth(18);
+        bar.setStripWidth(28);
         bar.setSubdivisionCount(SHADES);
         bar.setStripOutlineVisible(true);
         bar.setStripOutlinePaint(PlotStyle.INK);

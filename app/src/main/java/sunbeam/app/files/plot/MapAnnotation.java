@@ -24,6 +24,9 @@ public final class MapAnnotation {
     private static final Color RING_RIM = new Color(0, 0, 0, 110);
     private static final int SMALLEST_FONT = 9;
 
+    // Width of the margin around the map, in sizes of the font.
+    private static final double MARGIN = 2.5;
+
     private final BufferedImage map;
     private final Direction light;
     private final String caption;
@@ -31,33 +34,33 @@ public final class MapAnnotation {
     private final int margin;
     private final Font font;
 
-    /** @param map square picture of the map, opaque inside the disc; the light is in the tangent frame */
-    public MapAnnotation(BufferedImage map, Direction light, List<String> caption) {
+    /**
+     * @param map square picture of the map, opaque inside the disc; the light is in the tangent frame
+     * @param width printed width in meters, at which text has its size
+     */
+    public MapAnnotation(BufferedImage map, Direction light, List<String> caption, double width) {
         this.map = map;
         this.light = light;
         this.size = map.getWidth();
-        this.font = PlotFont.plain(Math.max(SMALLEST_FONT, size / 36));
-        this.margin = 3 * font.getSize();
+        double share = Drawing.TEXT_POINTS / 72 * 0.0254 / width;
+        this.font = PlotFont.plain((float) Math.max(
+                SMALLEST_FONT, Math.ceil(size * share / Math.max(0.5, 1 - 2 * MARGIN * share))));
+        this.margin = (int) (MARGIN * font.getSize());
         this.caption = String.join("\n", caption)
                 + "\ncircle: light; cross: mirror direction; rings: every 15\u00b0 from the normal";
     }
 
-    public BufferedImage draw() {
+    public Drawing draw() {
         TextBlock text = Sheet.block(caption, font, size + margin);
         int below = Sheet.height(text) + font.getSize();
-        BufferedImage image =
-                new BufferedImage(size + 2 * margin, size + 2 * margin + below, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = Sheet.smooth(image);
-        graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        graphics.setFont(font);
-        graphics.setColor(Color.WHITE);
-        graphics.fillRect(0, 0, image.getWidth(), image.getHeight());
-        graphics.drawImage(map, margin, margin, null);
-        rings(graphics);
-        marks(graphics);
-        Sheet.draw(text, graphics, margin / 2, size + 2 * margin);
-        graphics.dispose();
-        return image;
+        return new Drawing(size + 2 * margin, size + 2 * margin + below, graphics -> {
+            graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+            graphics.setFont(font);
+            graphics.drawImage(map, margin, margin, null);
+            rings(graphics);
+            marks(graphics);
+            Sheet.draw(text, graphics, margin / 2, size + 2 * margin);
+        });
     }
 
     private double column(double x) {

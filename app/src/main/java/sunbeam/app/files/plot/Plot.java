@@ -4,7 +4,6 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.geom.Line2D;
-import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
@@ -14,7 +13,6 @@ import org.jfree.chart.axis.NumberTickUnit;
 import org.jfree.chart.plot.DatasetRenderingOrder;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
-import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.data.xy.DefaultXYDataset;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
@@ -25,14 +23,14 @@ import sunbeam.app.files.output.PngWriter;
  */
 public final class Plot {
     // Points have it too, undrawn, so that all names in a legend begin at one place.
-    private static final Line2D LEGEND_LINE = new Line2D.Double(-12, 0, 12, 0);
+    private static final Line2D LEGEND_LINE = new Line2D.Double(-32, 0, 32, 0);
 
     private final Frame frame;
     private final XYPlot plot;
     private int count;
     private Optional<Double> equalStep = Optional.empty();
-    private RectangleEdge legendEdge = RectangleEdge.RIGHT;
     private int ringSeries;
+    private final StringBuilder names = new StringBuilder();
 
     public enum Scale {
         LINEAR,
@@ -76,7 +74,7 @@ public final class Plot {
 
     /** Adds a line in the color of the series with the given number. */
     public Plot line(String name, double[] x, double[] y, int color) {
-        return add(name, x, y, joined(PlotStyle.color(color), PlotStyle.LINE));
+        return add(name, x, y, joined(PlotStyle.color(color), PlotStyle.stroke(color)));
     }
 
     public Plot outline(String name, double[] x, double[] y) {
@@ -103,12 +101,6 @@ public final class Plot {
         return this;
     }
 
-    /** Puts the legend below the axes, so that long names do not make the axes narrower. */
-    public Plot legendBelow() {
-        legendEdge = RectangleEdge.BOTTOM;
-        return this;
-    }
-
     /** Adds points in front of all others, as black rings; those of a second such series are square. */
     public Plot rings(String name, double[] x, double[] y) {
         XYLineAndShapeRenderer renderer = marked(PlotStyle.INK, ringSeries++ == 0 ? PlotStyle.RING : PlotStyle.FRAME);
@@ -119,14 +111,14 @@ public final class Plot {
         return add(name, x, y, renderer);
     }
 
-    public BufferedImage draw() {
+    public Drawing draw() {
         PlotStyle.adaptUnits(plot);
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
         if (count > 1) {
-            chart.addSubtitle(PlotStyle.legend(plot, legendEdge));
+            chart.addSubtitle(PlotStyle.legend(plot, names.toString()));
         }
         equalStep.ifPresent(step -> equalizeScales(chart, step));
-        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, null);
+        return PlotStyle.drawing(chart, frame.width(), frame.height(), null);
     }
 
     private void equalizeScales(JFreeChart chart, double step) {
@@ -141,13 +133,14 @@ public final class Plot {
 
     /** Writes the picture as PNG, whole or not at all; the text is that of {@link PngWriter}. */
     public Path write(Path target, Overwrite overwrite, Map<String, String> text) {
-        return PngWriter.write(target, overwrite, draw(), text);
+        return PngWriter.write(target, overwrite, draw().rasterize(), text);
     }
 
     private Plot add(String name, double[] x, double[] y, XYLineAndShapeRenderer renderer) {
         renderer.setLegendLine(LEGEND_LINE);
         DefaultXYDataset dataset = new DefaultXYDataset();
-        dataset.addSeries(name, new double[][] {x, y});
+        names.append(name);
+        dataset.addSeries(PlotStyle.typeset(name), new double[][] {x, y});
         plot.setDataset(count, dataset);
         plot.setRenderer(count, renderer);
         count++;
@@ -158,6 +151,8 @@ public final class Plot {
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
         renderer.setSeriesPaint(0, color);
         renderer.setSeriesStroke(0, stroke);
+        // Without this setting, each segment begins with a dash of its own.
+        renderer.setDrawSeriesLineAsPath(true);
         return renderer;
     }
 

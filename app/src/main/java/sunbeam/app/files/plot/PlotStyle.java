@@ -9,9 +9,14 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
+import java.text.FieldPosition;
 import java.text.NumberFormat;
+import java.text.ParsePosition;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.DoubleFunction;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
@@ -27,6 +32,7 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.util.ShapeUtils;
 import org.jfree.data.Range;
+import sunbeam.precompute.text.Text;
 
 /** Style of all plots: white, sans serif, thin grid, colors that color-blind people can distinguish. */
 public final class PlotStyle {
@@ -35,23 +41,30 @@ public final class PlotStyle {
 
     /** Marks of series, which differ so that prints in gray can be read. */
     private static final Shape[] SHAPES = {
-        new Ellipse2D.Double(-4, -4, 8, 8),
-        new Rectangle2D.Double(-4, -4, 8, 8),
-        ShapeUtils.createUpTriangle(4.5f),
-        ShapeUtils.createDiamond(5),
-        ShapeUtils.createDownTriangle(4.5f),
-        ShapeUtils.createDiagonalCross(3.5f, 0.8f),
-        ShapeUtils.createRegularCross(4.5f, 0.8f)
+        new Ellipse2D.Double(-7, -7, 14, 14),
+        new Rectangle2D.Double(-7, -7, 14, 14),
+        ShapeUtils.createUpTriangle(8),
+        ShapeUtils.createDiamond(9),
+        ShapeUtils.createDownTriangle(8),
+        ShapeUtils.createDiagonalCross(6, 1.5f),
+        ShapeUtils.createRegularCross(8, 1.5f)
     };
 
     /** Twice as wide as the other marks, which stay visible inside. */
-    static final Shape RING = new Ellipse2D.Double(-8, -8, 16, 16);
+    static final Shape RING = new Ellipse2D.Double(-14, -14, 28, 28);
 
-    static final Shape FRAME = new Rectangle2D.Double(-8, -8, 16, 16);
-    static final BasicStroke RING_STROKE = new BasicStroke(2.5f);
-    static final BasicStroke LINE = new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
-    static final BasicStroke THIN = new BasicStroke(1.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
-    static final NumberFormat NUMBERS = new DecimalFormat("0.######", DecimalFormatSymbols.getInstance(Locale.ROOT));
+    static final Shape FRAME = new Rectangle2D.Double(-14, -14, 28, 28);
+    static final BasicStroke RING_STROKE = new BasicStroke(4);
+    private static final float LINE_WIDTH = 4;
+    static final BasicStroke THIN = new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    // Dashes of lines by their number, so that neighbors differ without color: solid, dashed, dash-dot, dotted.
+    private static final float[][] DASHES = {{}, {18, 10}, {22, 8, 4, 8}, {4, 9}};
+    private static final BasicStroke OUTLINE_STROKE = new BasicStroke(2);
+    private static final Pattern EXPONENT = Pattern.compile("\\^([-0-9n]+)");
+    private static final String RAISED = "0123456789-n";
+    private static final String SUPERSCRIPTS =
+            "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079\u207b\u207f";
+    static final NumberFormat NUMBERS = new DecimalFormat("0.######", symbols());
     private static final TickUnits DECADES = units(1, 2, 3, 5);
     private static final TickUnits DOUBLINGS = units(Math.log10(2), 1);
     // Least ratio of a logarithmic axis's ends, so that two powers of two lie on it.
@@ -61,19 +74,18 @@ public final class PlotStyle {
     private static final NumberFormat POWERS = powers();
 
     /** Format of labels of values that are given by their decimal logarithms. */
-    static final NumberFormat POWERS_BY_EXPONENT =
-            new DecimalFormat("'1e'0;'1e-'0", DecimalFormatSymbols.getInstance(Locale.ROOT));
+    static final NumberFormat POWERS_BY_EXPONENT = typesetting(value -> Text.format("10^%.0f", value));
 
     public static final Color INK = new Color(0x222222);
     /** Vermillion, which is visible on dark and on light. */
     static final Color MARK = new Color(0xD55E00);
 
-    static final Font TITLE_FONT = PlotFont.bold(18);
-    static final Font LABEL_FONT = PlotFont.plain(16);
-    static final Font TICK_FONT = PlotFont.plain(14);
+    static final Font TITLE_FONT = PlotFont.bold(9 * Drawing.POINT);
+    static final Font LABEL_FONT = PlotFont.plain((float) Drawing.TEXT_POINTS * Drawing.POINT);
+    static final Font TICK_FONT = LABEL_FONT;
     static final Color OUTLINE = new Color(0x888888);
     private static final Color GRID = new Color(0xDDDDDD);
-    private static final double MARGIN = 16;
+    private static final double MARGIN = 18;
 
     private PlotStyle() {}
 
@@ -83,38 +95,65 @@ public final class PlotStyle {
     }
 
     static Shape shape(int index) {
-        return SHAPES[index % SHAPES.length];
+        return SHAPES[(index + index / COLORS.length) % SHAPES.length];
+    }
+
+    /** Returns the stroke of a line by its number, from 0. */
+    static BasicStroke stroke(int index) {
+        return stroke(LINE_WIDTH, DASHES[index % DASHES.length]);
+    }
+
+    /** Returns a stroke with these dashes, or a solid one if there are none. */
+    static BasicStroke stroke(float width, float... dashes) {
+        return new BasicStroke(
+                width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes.length == 0 ? null : dashes, 0);
+    }
+
+    /** Returns a text as print has it: the micro sign, minus signs and exponents of what a terminal shows in ASCII. */
+    public static String typeset(String text) {
+        String signs = text.replaceAll("(?<!\\p{L})um(?!\\p{L})", "\u00b5m")
+                .replaceAll("(?<=/ |\\d |\\d)us\\b", "\u00b5s")
+                .replaceAll("(?<![\\w.])1e(-?\\d)", "10^$1")
+                .replace("+-", "\u00b1")
+                .replaceAll("(?<=[\\dm]) x (?=\\d)", " \u00d7 ")
+                .replaceAll("(?<![\\p{L}\\p{N}_.)^-])-(?=\\d)|(?<=\\de)-(?=\\d)", "\u2212");
+        return EXPONENT.matcher(signs)
+                .replaceAll(exponent -> exponent.group(1)
+                        .chars()
+                        .mapToObj(sign -> SUPERSCRIPTS.substring(RAISED.indexOf(sign), RAISED.indexOf(sign) + 1))
+                        .collect(Collectors.joining()));
     }
 
     static ValueAxis horizontal(Plot.Axis description) {
-        return axis(description, new RectangleInsets(2, 10, 2, 10));
+        return axis(description, new RectangleInsets(4, 5, 2, 5));
     }
 
     static ValueAxis upright(Plot.Axis description) {
-        return axis(description, new RectangleInsets(10, 4, 10, 4));
+        return axis(description, new RectangleInsets(3, 6, 3, 6));
     }
 
     private static ValueAxis axis(Plot.Axis description, RectangleInsets labelMargins) {
         ValueAxis axis;
         if (description.scale() == Plot.Scale.LINEAR) {
-            NumberAxis linear = new NumberAxis(description.label());
+            NumberAxis linear = new NumberAxis(typeset(description.label()));
             linear.setAutoRangeIncludesZero(false);
             linear.setAutoRangeStickyZero(false);
             linear.setNumberFormatOverride(NUMBERS);
             axis = linear;
         } else {
-            LogAxis logarithmic = new LogAxis(description.label());
+            LogAxis logarithmic = new LogAxis(typeset(description.label()));
             logarithmic.setNumberFormatOverride(POWERS);
             axis = logarithmic;
         }
         axis.setLabelFont(LABEL_FONT);
         axis.setLabelPaint(INK);
-        axis.setLabelInsets(new RectangleInsets(6, 6, 6, 6));
+        axis.setLabelInsets(new RectangleInsets(4, 4, 4, 4));
+        axis.setTickMarkStroke(OUTLINE_STROKE);
         axis.setTickLabelFont(TICK_FONT);
         axis.setTickLabelPaint(INK);
         axis.setTickLabelInsets(labelMargins);
         axis.setTickMarkPaint(INK);
-        axis.setTickMarkOutsideLength(4);
+        axis.setTickMarkOutsideLength(8);
         axis.setAxisLineVisible(false);
         return axis;
     }
@@ -136,31 +175,36 @@ public final class PlotStyle {
         XYPlot plot = new XYPlot(null, x, y, null);
         plot.setBackgroundPaint(Color.WHITE);
         plot.setOutlinePaint(INK);
-        plot.setOutlineStroke(new BasicStroke(1));
+        plot.setOutlineStroke(OUTLINE_STROKE);
         plot.setDomainGridlinePaint(GRID);
         plot.setRangeGridlinePaint(GRID);
-        plot.setDomainGridlineStroke(new BasicStroke(1));
-        plot.setRangeGridlineStroke(new BasicStroke(1));
+        plot.setDomainGridlineStroke(new BasicStroke(1.5f));
+        plot.setRangeGridlineStroke(new BasicStroke(1.5f));
         plot.setAxisOffset(RectangleInsets.ZERO_INSETS);
         return plot;
     }
 
     static JFreeChart chart(String title, XYPlot plot) {
-        JFreeChart chart = new JFreeChart(title, TITLE_FONT, plot, false);
+        JFreeChart chart = new JFreeChart(typeset(title), PlotFont.with(TITLE_FONT, title), plot, false);
         chart.setBackgroundPaint(Color.WHITE);
         chart.getTitle().setPaint(INK);
-        chart.getTitle().setMargin(0, 0, 8, 0);
+        chart.getTitle().setMargin(0, 0, 10, 0);
         chart.setPadding(new RectangleInsets(MARGIN, MARGIN, MARGIN, MARGIN));
         return chart;
     }
 
-    static LegendTitle legend(XYPlot plot, RectangleEdge edge) {
+    static Drawing drawing(JFreeChart chart, int width, int height, ChartRenderingInfo info) {
+        return new Drawing(
+                width, height, graphics -> chart.draw(graphics, new Rectangle2D.Double(0, 0, width, height), info));
+    }
+
+    static LegendTitle legend(XYPlot plot, String names) {
         LegendTitle legend = new LegendTitle(plot);
-        legend.setPosition(edge);
-        legend.setItemFont(TICK_FONT);
+        legend.setPosition(RectangleEdge.BOTTOM);
+        legend.setItemFont(PlotFont.with(TICK_FONT, names));
         legend.setItemPaint(INK);
         legend.setFrame(BlockBorder.NONE);
-        legend.setItemLabelPadding(new RectangleInsets(4, 4, 4, 4));
+        legend.setItemLabelPadding(new RectangleInsets(4, 4, 4, 20));
         return legend;
     }
 
@@ -183,8 +227,36 @@ public final class PlotStyle {
     }
 
     private static NumberFormat powers() {
+        return typesetting(value -> {
+            int exponent = (int) Math.floor(Math.log10(value) + 1e-9);
+            double mantissa = Math.rint(100 * value / Math.pow(10, exponent)) / 100;
+            String power = mantissa == 1 ? "" : NUMBERS.format(mantissa) + "\u00b7";
+            return Math.abs(exponent) < 3 ? NUMBERS.format(value) : power + "10^" + exponent;
+        });
+    }
+
+    private static DecimalFormatSymbols symbols() {
         DecimalFormatSymbols symbols = DecimalFormatSymbols.getInstance(Locale.ROOT);
-        symbols.setExponentSeparator("e");
-        return new DecimalFormat("0.##E0", symbols);
+        symbols.setMinusSign('\u2212');
+        return symbols;
+    }
+
+    private static NumberFormat typesetting(DoubleFunction<String> format) {
+        return new NumberFormat() {
+            @Override
+            public StringBuffer format(double number, StringBuffer result, FieldPosition position) {
+                return result.append(typeset(format.apply(number)));
+            }
+
+            @Override
+            public StringBuffer format(long number, StringBuffer result, FieldPosition position) {
+                return format((double) number, result, position);
+            }
+
+            @Override
+            public Number parse(String source, ParsePosition position) {
+                throw new UnsupportedOperationException("labels are not read");
+            }
+        };
     }
 }

@@ -21,14 +21,18 @@ import org.jfree.chart.ui.HorizontalAlignment;
 
 /** White page of a report, filled from top to bottom with headings, paragraphs broken into lines, and rows of pictures. */
 public final class Sheet {
-    public static final Font FONT = PlotFont.plain(14);
+    public static final Font FONT = PlotStyle.LABEL_FONT;
 
-    private static final int MARGIN = 24;
-    private static final int GAP = 8;
+    private static final int MARGIN = 32;
+    private static final int GAP = 14;
+    // Least width of a plot beside another, pixels: 54 mm.
+    private static final int NARROWEST = 640;
 
     /** Most thumbnails of a page; ten rows are as high as a screen or two. */
     public static final int MOST_THUMBNAILS = 60;
 
+    // Thumbnails are for the screen: their text is smaller.
+    private static final Font SMALL = PlotFont.plain(16);
     private static final int COLUMNS = 6;
     private static final int CELL = 300;
     private static final int CELL_GAP = 16;
@@ -92,16 +96,16 @@ public final class Sheet {
         });
     }
 
-    public Sheet row(BufferedImage... pictures) {
-        int height =
-                Arrays.stream(pictures).mapToInt(BufferedImage::getHeight).max().orElseThrow();
-        return part(height, graphics -> {
-            int x = 0;
-            for (BufferedImage picture : pictures) {
-                graphics.drawImage(picture, x, 0, null);
-                x += picture.getWidth();
-            }
-        });
+    /** Returns the width of each of two plots: half of the page, or all of a narrow one, where a row puts them one below the other. */
+    public int plotWidth() {
+        return width / 2 < NARROWEST ? width : width / 2;
+    }
+
+    public Sheet row(Drawing... drawings) {
+        int across = Arrays.stream(drawings).mapToInt(Drawing::width).sum();
+        List<Drawing> rows = across <= width ? List.of(Drawing.row(0, drawings)) : List.of(drawings);
+        rows.forEach(row -> part(row.height(), graphics -> row.drawAt(graphics, 0, 0)));
+        return this;
     }
 
     /** Adds a part that the caller draws, in ink and {@link #FONT}, with the origin at its upper left corner; the height is in pixels. */
@@ -114,32 +118,22 @@ public final class Sheet {
         return parts.stream().mapToInt(Part::height).sum();
     }
 
-    public BufferedImage draw() {
-        BufferedImage page = new BufferedImage(width, height() + GAP, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = smooth(page);
-        graphics.setColor(Color.WHITE);
-        graphics.fillRect(0, 0, width, page.getHeight());
-        for (Part part : parts) {
-            graphics.setColor(PlotStyle.INK);
-            graphics.setFont(FONT);
-            part.drawing.accept(graphics);
-            graphics.translate(0, part.height);
-        }
-        graphics.dispose();
-        return page;
-    }
-
-    static Graphics2D smooth(BufferedImage picture) {
-        Graphics2D graphics = picture.createGraphics();
-        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        return graphics;
+    public Drawing draw() {
+        return new Drawing(width, height() + GAP, graphics -> {
+            int y = 0;
+            for (Part part : parts) {
+                graphics.setColor(PlotStyle.INK);
+                graphics.setFont(FONT);
+                new Drawing(width, part.height, part.drawing).drawAt(graphics, 0, y);
+                y += part.height;
+            }
+        });
     }
 
     static TextBlock block(String text, Font font, int width) {
         Graphics2D measuring = measuring(font);
         TextBlock block = TextUtils.createTextBlock(
-                text,
+                PlotStyle.typeset(text),
                 PlotFont.with(font, text),
                 PlotStyle.INK,
                 width,
@@ -162,7 +156,8 @@ public final class Sheet {
     }
 
     private static Graphics2D measuring(Font font) {
-        Graphics2D graphics = smooth(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB));
+        Graphics2D graphics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+        Drawing.smooth(graphics);
         graphics.setFont(font);
         return graphics;
     }
@@ -172,7 +167,7 @@ public final class Sheet {
         for (int first = 0; first < thumbnails.size(); first += COLUMNS) {
             sheet.thumbnailRow(thumbnails.subList(first, Math.min(thumbnails.size(), first + COLUMNS)));
         }
-        return sheet.draw();
+        return sheet.draw().rasterize();
     }
 
     private void thumbnailRow(List<Thumbnail> cells) {
@@ -181,17 +176,17 @@ public final class Sheet {
                 .max()
                 .orElseThrow();
         List<TextBlock> sentences = cells.stream()
-                .map(cell -> block(cell.sentence(), FONT, CELL - CELL_GAP))
+                .map(cell -> block(cell.sentence(), SMALL, CELL - CELL_GAP))
                 .toList();
         int text = sentences.stream().mapToInt(Sheet::height).max().orElseThrow();
-        int line = FONT.getSize() + CELL_GAP / 2;
+        int line = SMALL.getSize() + CELL_GAP / 2;
         part(CELL_GAP + pictures + line + text, graphics -> {
             for (int i = 0; i < cells.size(); i++) {
                 int x = CELL_GAP + i * CELL;
                 Thumbnail cell = cells.get(i);
                 graphics.setColor(cell.picture().isPresent() ? PlotStyle.INK : FAILURE);
                 cell.picture().ifPresent(picture -> graphics.drawImage(picture, x, CELL_GAP, null));
-                graphics.setFont(PlotFont.bold(FONT.getSize()));
+                graphics.setFont(PlotFont.bold(SMALL.getSize()));
                 graphics.setFont(PlotFont.with(graphics.getFont(), cell.name()));
                 String name = fittedName(cell.name(), graphics.getFont(), CELL - CELL_GAP);
                 graphics.drawString(name, x, CELL_GAP + pictures + line - 4);

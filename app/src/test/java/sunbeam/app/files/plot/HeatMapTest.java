@@ -15,7 +15,7 @@ final class HeatMapTest {
     private static HeatMap map(double[][] rows, HeatMap.Reduction reduction) {
         HeatMap.Colors colors = new HeatMap.Colors("value", 0, 1, Plot.Scale.LINEAR, HeatMap.ColorMap.GRAY);
         return new HeatMap(
-                new HeatMap.Frame("", "x", "y", 500, 400, false),
+                new HeatMap.Frame("", "x", "y", 800, 600, false),
                 new HeatMap.Values(rows, new double[] {0, 10}, new double[] {0, 10}, colors, reduction));
     }
 
@@ -35,7 +35,8 @@ final class HeatMapTest {
     @Test
     void rowsGoUpAndColumnsGoRight() {
         BufferedImage image = map(new double[][] {{0, 1}, {0.5, 0}}, HeatMap.Reduction.LARGEST)
-                .draw(places);
+                .draw(places)
+                .rasterize();
         assertThat(gray(image, 0.25, 0.25)).isZero();
         assertThat(gray(image, 0.75, 0.25)).isEqualTo(255);
         assertThat(gray(image, 0.25, 0.75)).isEqualTo(128);
@@ -48,9 +49,11 @@ final class HeatMapTest {
         for (double[] row : rows) {
             row[10_003] = 1;
         }
-        assertThat(whitePixelsAcross(map(rows, HeatMap.Reduction.LARGEST).draw(places)))
+        assertThat(whitePixelsAcross(
+                        map(rows, HeatMap.Reduction.LARGEST).draw(places).rasterize()))
                 .isPositive();
-        assertThat(whitePixelsAcross(map(rows, HeatMap.Reduction.MIDDLE).draw(places)))
+        assertThat(whitePixelsAcross(
+                        map(rows, HeatMap.Reduction.MIDDLE).draw(places).rasterize()))
                 .isZero();
     }
 
@@ -71,10 +74,12 @@ final class HeatMapTest {
     @Test
     void aShortLogarithmicAxisHasSeveralLabels() {
         double[] errors = {1.2e-4, 1.3e-4};
-        BufferedImage image = new Plot(new Frame("", Axis.linear("x"), Axis.logarithmic("y"), 400, 300))
+        BufferedImage image = new Plot(new Frame("", Axis.linear("x"), Axis.logarithmic("y"), 800, 600))
                 .points("", errors, errors)
-                .draw();
-        IntStream gridLines = IntStream.range(0, 300).filter(y -> image.getRGB(203, y) == 0xffdddddd);
+                .draw()
+                .rasterize();
+        IntStream gridLines = IntStream.range(1, 600)
+                .filter(y -> image.getRGB(403, y) != image.getRGB(403, y - 1) && image.getRGB(403, y) == 0xffdddddd);
         assertThat(gridLines.count()).isBetween(2L, 3L);
     }
 
@@ -92,7 +97,8 @@ final class HeatMapTest {
         BufferedImage image = new Plot(frame)
                 .line("Taylor", terms, taylor)
                 .points("Chebyshev", terms, chebyshev)
-                .draw();
+                .draw()
+                .rasterize();
 
         assertThat(image.getWidth()).isEqualTo(900);
         assertThat(image.getHeight()).isEqualTo(600);
