@@ -7,7 +7,7 @@
 #include "jrtr/view_rays.glsl"
 #include "include/blend.glsl"
 #include "include/shadow.glsl"
-#include "include/sky.glsl"
+#include "include/srgb.glsl"
 #if SCREEN == 1
 #include "include/display.glsl"
 #endif
@@ -28,6 +28,7 @@ uniform vec3 groundNormal;
 uniform float viewPixels;
 // Linear sRGB.
 uniform vec3 groundColor;
+uniform vec3 horizonColor;
 // Radiance of all lights, and of the white ground under each group of lights without shadows, linear Rec. 709.
 uniform vec3 groundAmbient;
 uniform vec3 groundLights[MOST_GROUPS];
@@ -60,9 +61,9 @@ vec4 ground() {
     vec3 towards = viewAt(viewPixels * gl_FragCoord.xy);
     float height = dot(eye - groundMiddle, groundNormal);
     float slant = dot(towards, groundNormal);
-    vec3 horizon = skyWeight * (LINEAR_SRGB_TO_XYZ * groundAmbient).y * HORIZON;
+    vec3 horizon = LINEAR_SRGB_TO_XYZ * horizonColor;
     if (height <= 0.0 || slant <= 1e-4) {
-        float glow = height > 0.0 && skyWeight > 0.0 ? exp(GLOW * min(slant, 0.0)) : 0.0;
+        float glow = height > 0.0 && horizonColor.g > 0.0 ? exp(GLOW * min(slant, 0.0)) : 0.0;
         return glow * vec4(horizon, 1.0);
     }
     vec3 at = eye - height / slant * towards;

@@ -57,10 +57,10 @@ void main() {
     vec2 coverageChange = vec2(dFdx(coverage), dFdy(coverage));
     Skin skin = unpackedSkin(texel);
     vec3 wr = viewAt(gl_FragCoord.xy) * skin.frame;
-    vec3 albedo = LINEAR_SRGB_TO_XYZ * skin.albedo;
+    vec3 albedo = belowGloss(wr, skin.sky) * (LINEAR_SRGB_TO_XYZ * skin.albedo);
     float ambient = skyShare(skin.frame[2], skin.sky);
     vec3 gloss = glossXyz(skin.frame, wr, skin.sky);
-    vec3 sum = vec3(0.0);
+    vec3 sum = gloss;
     for (int light = 0; light < LIGHTS; ++light) {
         vec3 wi = lightDirection(skin.frame, light);
         vec3 uvw = diffractionVector(wi, wr);
@@ -70,16 +70,16 @@ void main() {
         vec3 diffracted = vec3(0.0);
         if (wi.z > 0.0 && wr.z > 0.0) {
             ReliefMean mean = reliefMean(wi, wr, tabulatedSlopeVariance + slopeVariance);
-            Footprint footprint = footprintOf(mean.uvw, du, dv, wi, lightVariances[light], 0.0);
+            Footprint footprint = footprintOf(mean.uvw, du, dv, wi, lightVariances[light], vec3(0.0), 0.0);
             diffracted = mean.gain * residentXyz(footprint);
         }
-        // Only the first light casts shadows.
-        float visible = 1.0;
+        // Only the first light casts shadows; an environment's are those of the sky.
+        float visible = mix(1.0, skin.sky, isEnvironment);
         if (light == 0 && wi.z > 0.0) {
-            visible = visibility(0, worldAt(gl_FragCoord.xy), skin.frame[2], gl_FragCoord.xy);
+            visible *= visibility(0, worldAt(gl_FragCoord.xy), skin.frame[2], gl_FragCoord.xy);
         }
-        sum += lightRadiances[light].y
-                * (blended(visible * diffracted, albedo, visible * wi.z, NORMAL_REFLECTANCE, ambient) + gloss);
+        vec3 xyz = blended(visible * diffracted, albedo, visible * wi.z, NORMAL_REFLECTANCE, ambient);
+        sum += LINEAR_SRGB_TO_XYZ * (lightRadiances[light] * (XYZ_TO_LINEAR_SRGB * xyz));
     }
     color = vec4(srgbCurveByRoots(displayLight(sum)), 1.0);
 }

@@ -15,6 +15,8 @@
 // Lights that are drawn: those from the first to the one before the last. Methods that evaluate points draw one light at a time.
 uniform int firstLight;
 uniform int lastLight;
+// 1 if a draw of a pixel has one of the lights, in place of all.
+uniform int lightsAreDrawn;
 // Depth of geometry.frag's images, and the matrix from a position in them, in pixels, and its depth to world space.
 uniform sampler2D depths;
 uniform mat4 targetToWorld;
@@ -49,10 +51,10 @@ layout(location = 0) out vec4 radiance;
 layout(location = 1) out vec4 footprintCenter;
 layout(location = 2) out vec4 footprintAxis;
 
-// XYZ of the power of the pixel's footprint around uvw, the mean over relief; MISSING where a tile is not resident. du, dv: as footprintOf of
-// include/footprint.glsl.
-vec3 pixelXyz(vec3 wi, vec3 uvw, vec3 du, vec3 dv, float lightVariance) {
-    Footprint footprint = footprintOf(uvw, du, dv, wi, lightVariance, nextLevel);
+// XYZ of the power of the pixel's footprint around uvw, the mean over relief; MISSING where a tile is not resident. du, dv, stretch: as
+// footprintOf of include/footprint.glsl.
+vec3 pixelXyz(vec3 wi, vec3 uvw, vec3 du, vec3 dv, float lightVariance, vec3 stretch) {
+    Footprint footprint = footprintOf(uvw, du, dv, wi, lightVariance, stretch, nextLevel);
     footprintCenter = vec4(footprint.center, footprint.level);
     footprintAxis = vec4(footprint.axis, footprint.taps);
     vec3 xyz = vec3(MISSING);
@@ -61,7 +63,7 @@ vec3 pixelXyz(vec3 wi, vec3 uvw, vec3 du, vec3 dv, float lightVariance) {
     }
     // A loop of one iteration, as in footprintXyz.
     for (float share = footprint.nextShare * float(lookUps); share > 0.0; share = 0.0) {
-        vec3 next = footprintXyz(footprintOf(uvw, du, dv, wi, lightVariance, 1.0));
+        vec3 next = footprintXyz(footprintOf(uvw, du, dv, wi, lightVariance, stretch, 1.0));
         xyz = xyz.y == MISSING || next.y == MISSING ? vec3(MISSING) : mix(xyz, next, share);
     }
     return xyz;
@@ -88,10 +90,19 @@ const float AIMED = 0.125;
 const float RAREST = 4.0;
 const float WIDER = 1.6;
 
+// Counts through squares of 16 x 16 pixels, then through draws.
+uint sampleNumber(ivec2 pixel) {
+    return uint((pixel.x & 15) + 16 * (pixel.y & 15) + 256 * slopeDraw);
+}
+
+// From 0 to below 1: steps of the golden ratio.
+float drawnNumber(ivec2 pixel) {
+    return float((sampleNumber(pixel) * 2654435769u) >> 8u) * exp2(-24.0);
+}
+
 vec2 normalNumbers(ivec2 pixel, uvec2 steps) {
-    // An additive low-discrepancy sequence, numbered through squares of 16 x 16 pixels, then through draws.
-    uint number = uint((pixel.x & 15) + 16 * (pixel.y & 15) + 256 * slopeDraw);
-    vec2 at = vec2(number * steps + 0x80000000u) * exp2(-32.0);
+    // An additive low-discrepancy sequence.
+    vec2 at = vec2(sampleNumber(pixel) * steps + 0x80000000u) * exp2(-32.0);
     return quantile(clamp(at, 1e-5, 1.0 - 1e-5));
 }
 
@@ -152,7 +163,7 @@ void main() {
     vec3 world = worldAt(pixel);
     vec4 seen = texelFetch(tangents, pixel, 0);
     mat3 frame = frameAt(pixel);
-    vec3 albedo = LINEAR_SRGB_TO_XYZ * texelFetch(albedos, pixel, 0).rgb;
+    vec3 albedo = belowGloss(wr, seen.w) * (LINEAR_SRGB_TO_XYZ * texelFetch(albedos, pixel, 0).rgb);
     float ambient = skyShare(frame[2], seen.w);
     vec3 gloss = glossXyz(frame, wr, seen.w);
     float weight = 1.0;
@@ -174,11 +185,25 @@ void main() {
 #endif
     // Linear Rec. 709. The body is lit by the lights' colors, as if by daylight; only diffracted light has the illuminant's spectrum.
     vec3 sum = vec3(0.0);
+    int first = firstLight;
+    int last = lastLight;
+    float parts = 1.0;
+#if COLOR_LEVELS == 0
+    if (lightsAreDrawn == 1) {
+        parts = float(last);
+        first = int(parts * drawnNumber(pixel));
+        last = first + 1;
+    }
+#endif
     for (int group = 0; group < lightGroups; ++group) {
         vec4 lights = lightTexel(group, GROUP_LIGHTS);
-        int end = min(int(lights.y), lastLight);
-        float visible = visibility(group, world, frame[2], vec2(pixel) + 0.5);
-        for (int light = max(int(lights.x), firstLight); light < end; ++light) {
+        int end = min(int(lights.y), last);
+        int begin = max(int(lights.x), first);
+        float visible = 1.0;
+        for (bool used = begin < end; used; used = false) {
+            visible = visibility(group, world, frame[2], vec2(pixel) + 0.5);
+        }
+        for (int light = begin; light < end; ++light) {
             vec4 towards = lightTexel(light, LIGHT_TOWARDS);
             vec3 wi = towards.xyz * frame;
             vec3 diffracted = vec3(0.0);
@@ -188,7 +213,7 @@ void main() {
                 vec3 du = footprintScale * uvwChange(right, left, towards.xyz);
                 vec3 dv = footprintScale * uvwChange(above, below, towards.xyz);
                 ReliefMean mean = reliefMean(wi, wr, tabulatedSlopeVariance + slopeVariance);
-                vec3 xyz = pixelXyz(wi, mean.uvw, du, dv, towards.w);
+                vec3 xyz = pixelXyz(wi, mean.uvw, du, dv, towards.w, lightTexel(light, LIGHT_STRETCH).xyz * frame);
                 coverage = xyz.y == MISSING ? MISSING_COVERAGE : coverage;
                 diffracted = xyz.y == MISSING ? vec3(0.0) : mean.gain * xyz;
             }
@@ -199,9 +224,10 @@ void main() {
             }
 #endif
             float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
-            vec3 xyz = blended(visible * diffracted, albedo, visible * wi.z, reflectance, ambient) + gloss;
-            sum += lightTexel(light, LIGHT_COLOR).rgb * (XYZ_TO_LINEAR_SRGB * xyz);
+            vec3 xyz = blended(visible * diffracted, albedo, visible * wi.z, reflectance, ambient);
+            sum += parts * lightTexel(light, LIGHT_COLOR).rgb * (XYZ_TO_LINEAR_SRGB * xyz);
         }
     }
-    radiance = weight * vec4(LINEAR_SRGB_TO_XYZ * sum, coverage);
+    // The first of several passes shows the gloss.
+    radiance = weight * vec4(LINEAR_SRGB_TO_XYZ * sum + (firstLight == 0 ? 1.0 : 0.0) * gloss, coverage);
 }

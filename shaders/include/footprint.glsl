@@ -15,6 +15,9 @@ uniform float slopeVariance;
 uniform float leastLevel;
 // Most taps along the major axis; if these are too few, a coarser level blurs the minor axis, too.
 uniform float mostTaps;
+// 0 to mix two levels under a wide light, so that the mean of both has its variance; more to read one level alone, the next if the fitting one
+// lacks less than this share of a level.
+uniform float levelRounding;
 // Number of samples of the mesh along a pixel's side; the pixel is the mean of its samples.
 uniform float samplesAcross;
 
@@ -35,16 +38,18 @@ const float SPACING = 1.6;
 // Pixels count as points if their variance along the major axis is below this share of the finest level's variance.
 const float POINT = 0.06;
 
-// du, dv: change of (u, v, w) from the sample to the next, to the right and up. wi, lightVariance: direction towards the light, and the
-// variance of its directions along either axis across it. next: 0, or 1 for the footprint in the next level.
-Footprint footprintOf(vec3 uvw, vec3 du, vec3 dv, vec3 wi, float lightVariance, float next) {
+// du, dv: change of (u, v, w) from the sample to the next, to the right and up. wi, lightVariance, stretch: direction towards the light, the
+// variance of its directions along the shorter axis across it, and LIGHT_STRETCH in the tangent frame. next: 0, or 1 for the footprint in the
+// next level.
+Footprint footprintOf(vec3 uvw, vec3 du, vec3 dv, vec3 wi, float lightVariance, vec3 stretch, float next) {
     // Squared lengths of the axes: eigenvalues of du du^T + dv dv^T, which is twelve times the covariance of a uniform parallelogram, and of
     // that of the light.
     float light = 12.0 * lightVariance;
-    float squareU = du.x * du.x + dv.x * dv.x + light * (1.0 - wi.x * wi.x);
-    float squareV = du.y * du.y + dv.y * dv.y + light * (1.0 - wi.y * wi.y);
+    vec3 longer = sqrt(12.0) * stretch;
+    float squareU = du.x * du.x + dv.x * dv.x + longer.x * longer.x + light * (1.0 - wi.x * wi.x);
+    float squareV = du.y * du.y + dv.y * dv.y + longer.y * longer.y + light * (1.0 - wi.y * wi.y);
     float difference = 0.5 * (squareU - squareV);
-    float mixed = du.x * du.y + dv.x * dv.y - light * wi.x * wi.y;
+    float mixed = du.x * du.y + dv.x * dv.y + longer.x * longer.y - light * wi.x * wi.y;
     float middle = 0.5 * (squareU + squareV);
     float root = sqrt(difference * difference + mixed * mixed);
     // Relief moves (u, v) by its slopes times w, along both axes alike (Toksvig 2005; Olano and Baker 2010).
@@ -54,7 +59,7 @@ Footprint footprintOf(vec3 uvw, vec3 du, vec3 dv, vec3 wi, float lightVariance, 
 
     float shown = max(tabulatedSlopeVariance * uvw.z * uvw.z + pointVariance, finestVariance);
     float reach = mostTaps * SPACING;
-    float fitting = floor(log2(1.0 + minorSquare / (12.0 * finestVariance)));
+    float fitting = floor(log2(1.0 + minorSquare / (12.0 * finestVariance)) + levelRounding);
     float needed = ceil(log2(max(1.0, 1.0 + (majorSquare / (reach * reach + 12.0) - shown) / finestVariance)));
     float level = clamp(max(fitting, needed) + next, leastLevel - pointLevels, float(levels - 1));
     // Taps cover the part of the major axis that the level does not blur.
@@ -66,9 +71,10 @@ Footprint footprintOf(vec3 uvw, vec3 du, vec3 dv, vec3 wi, float lightVariance, 
     // a point, whose extent comes from relief alone.
     vec2 turn = difference > 0.0 ? vec2(difference + root, mixed) : vec2(mixed, root - difference);
     turn = root > 0.0 ? normalize(turn) : vec2(1.0, 0.0);
-    vec3 axis = dot(turn, du.xy) * du + dot(turn, dv.xy) * dv + light * (vec3(turn, 0.0) - dot(turn, wi.xy) * wi);
+    vec3 axis = dot(turn, du.xy) * du + dot(turn, dv.xy) * dv + dot(turn, longer.xy) * longer
+            + light * (vec3(turn, 0.0) - dot(turn, wi.xy) * wi);
     axis = middle > 0.0 ? axis / (middle + root) : vec3(1.0, 0.0, 0.0);
-    float nextShare = lightVariance > 0.0 ? clamp((minorSquare / 12.0 - blur) / (exp2(level) * finestVariance), 0.0, 1.0) : 0.0;
+    float nextShare = lightVariance > 0.0 && levelRounding == 0.0 ? clamp((minorSquare / 12.0 - blur) / (exp2(level) * finestVariance), 0.0, 1.0) : 0.0;
     bool seesPoint = samplesAcross * samplesAcross * majorSquare < 12.0 * POINT * finestVariance;
     return Footprint(uvw, seesPoint ? leastLevel : level + pointLevels, sqrt(lengthSquare) * axis, taps, nextShare);
 }

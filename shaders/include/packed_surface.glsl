@@ -1,3 +1,5 @@
+#include "include/octahedron.glsl"
+
 // Geometry buffer of pictures drawn while something moves: four floats per pixel, a fourth of geometry.frag's images; moving_geometry.frag
 // writes it and moving.frag reads it. With small triangles packing takes most of the time; so it normalizes no vector.
 
@@ -12,24 +14,6 @@ struct Skin {
 // Steps of a texture channel, even in the channel's square root, which makes them about as fine as steps of sRGB.
 const float ALBEDO_STEPS = 255.0;
 const float SKY_STEPS = 255.0;
-
-float signOf(float x) {
-    return x < 0.0 ? -1.0 : 1.0;
-}
-
-// Octahedral encoding of a direction, of any length, as a point of [-1, 1]^2 (Meyer et al. 2010), and its inverse, whose result is not
-// normalized.
-vec2 onOctahedron(vec3 direction) {
-    vec3 on = direction / max(abs(direction.x) + abs(direction.y) + abs(direction.z), 1e-30);
-    vec2 folded = (1.0 - abs(on.yx)) * vec2(signOf(on.x), signOf(on.y));
-    return on.z < 0.0 ? folded : on.xy;
-}
-
-vec3 fromOctahedron(vec2 square) {
-    float z = 1.0 - abs(square.x) - abs(square.y);
-    vec2 folded = (1.0 - abs(square.yx)) * vec2(signOf(square.x), signOf(square.y));
-    return vec3(z < 0.0 ? folded : square, z);
-}
 
 // Encodes a direction in the plane, of any length, as a position from -2 to 2 on the perimeter of a diamond. Unlike an angle it needs no
 // arc tangent.

@@ -5,7 +5,6 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.stream.IntStream;
 import jrtr.Tile;
 import sunbeam.app.scene.Scene;
 
@@ -55,17 +54,9 @@ public record DrawRequest(
                 OptionalInt.empty());
     }
 
-    /** Returns one request per light; this request's picture is the sum of theirs. */
-    List<DrawRequest> perLight() {
-        return IntStream.range(0, lights().count())
-                .mapToObj(i -> new DrawRequest(
-                        scene, width, height, tile, samples, across, down, isCoarsest, chosen, OptionalInt.of(i)))
-                .toList();
-    }
-
-    LightList lights() {
-        LightList all = LightList.of(scene);
-        return light.isPresent() ? all.only(light.getAsInt()) : all;
+    /** Returns a request for one light alone, or for all. */
+    DrawRequest under(OptionalInt one) {
+        return new DrawRequest(scene, width, height, tile, samples, across, down, isCoarsest, chosen, one);
     }
 
     DrawRequest with(Scene other) {

@@ -11,6 +11,7 @@ import sunbeam.app.render.SceneShape.Thing;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.terminal.Environment;
@@ -54,6 +55,7 @@ public final class FrameText {
                         .map(ReflectanceComponent::digest)
                         .orElse("")),
                 things.hex(),
+                parts.get(0).shape().environment().map(RadianceMap::digest).orElse(""),
                 size,
                 samples.describe() + overlays);
     }

@@ -81,7 +81,7 @@ final class Ground implements AutoCloseable {
         Tile part = piece.inBlock();
         int samples = request.samples();
         FloatTarget drawn = target.of(context, "ground", spec(block, samples, FloatTarget.Format.RGBA32F));
-        set(program, request.scene(), geometry, lights, block);
+        set(program, request.scene(), geometry, lights, inMemory, block);
         program.set("viewPixels", (float) samples);
         int left = part.x() / samples;
         int right = (part.x() + part.width() - 1) / samples;
@@ -110,12 +110,18 @@ final class Ground implements AutoCloseable {
 
     /** Draws the ground in sRGB into a whole block of a moving picture; the mesh is drawn over it. */
     void fillMovingBlock(
-            FloatTarget picture, Scene scene, SkinGeometry geometry, LightTexture lights, Tile block, double exposure) {
+            FloatTarget picture,
+            Scene scene,
+            SkinGeometry geometry,
+            LightList list,
+            LightTexture lights,
+            Tile block,
+            double exposure) {
         if (moving.isEmpty()) {
             moving = Optional.of(program(context, "1"));
         }
         ShaderProgram screen = moving.get();
-        set(screen, scene, geometry, LightList.of(scene), block);
+        set(screen, scene, geometry, list, lights, block);
         screen.set("exposure", (float) exposure);
         screen.set("toneStart", (float) scene.display(exposure).tone().start());
         double[] behind = scene.get(SceneSettings.BACKGROUND).light();
@@ -140,7 +146,8 @@ final class Ground implements AutoCloseable {
         return textures;
     }
 
-    private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, LightList lights, Tile block) {
+    private void set(
+            ShaderProgram to, Scene scene, SkinGeometry geometry, LightList lights, LightTexture inMemory, Tile block) {
         Matrix4fc toWorld = SceneGraph.modelToWorld(scene.orientation(), bounds.center());
         float reach = (float) SkyVisibility.GROUND_REACH * bounds.radius();
         Vector3fc center = bounds.center();
@@ -153,8 +160,8 @@ final class Ground implements AutoCloseable {
         to.set("groundNormal", normal);
         double[] color = scene.ground().orElseThrow().light();
         to.set("groundColor", new Vector3f((float) color[0], (float) color[1], (float) color[2]));
-        to.set("skyWeight", (float) scene.sky());
-        to.set("ambientWeight", scene.get(SceneSettings.AMBIENT).floatValue());
+        to.set("horizonColor", inMemory.horizon().mul((float) lights.skyWeight(), new Vector3f()));
+        to.set("ambientWeight", (float) scene.ambient());
         to.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());
         Vector3f ambient = new Vector3f();
         lights.all().forEach(light -> ambient.add(light.color()));

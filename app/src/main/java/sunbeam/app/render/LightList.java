@@ -2,20 +2,42 @@ package sunbeam.app.render;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
+import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.environment.LightTree;
+import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.precompute.method.TableMethod;
 
-/** Lights of a picture, in groups of neighbors that share a shadow map (shaders/include/light_list.glsl). */
-record LightList(List<Group> groups) {
+/**
+ * Lights of a picture, in groups of neighbors that share a shadow map (shaders/include/light_list.glsl).
+ *
+ * @param areDrawn whether each draw of a pixel has one of them, at random, instead of all
+ * @param skyWeight factor of the surroundings' radiance, which gloss mirrors and the ground fades to; 0 for none
+ */
+record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
     /** Mesa's software renderer ends a shader's loops after 65,535 steps; a light takes up to 25. */
-    static final int MOST = 2048;
+    static final int MOST = LightTree.MOST;
+
+    // Lights of an environment: of a still picture without a number, and of a moving one, which is drawn without shadow
+    // maps.
+    private static final int STILL = 128;
+    private static final int MOVING = 8;
+    // Width of a region's light over the region's own: a row of such Gaussians is even to 2 exp(-2 pi^2 2^2 / 12) = 0.3
+    // %.
+    static final double OVERLAP = 2;
 
     /** MOST_GROUPS of the shader. */
     static final int MOST_GROUPS = 17;
+
+    // Groups of an environment; shadows of a small group are sharp.
+    private static final int ENVIRONMENT_GROUPS = 16;
+    private static final double SHARPEST_PENUMBRA = 0.01;
 
     /** Radius of the edge of a shadow per distance from its caster, for lights of a scene. */
     private static final double SCENE_PENUMBRA = 0.05;
@@ -23,9 +45,10 @@ record LightList(List<Group> groups) {
     /**
      * @param towards unit vector from the scene, world space
      * @param color radiance of a white surface that faces the light, linear Rec. 709
-     * @param deviation standard deviation of its directions along either axis across it, radians
+     * @param deviation standard deviation of its directions along the shorter axis across it, radians
+     * @param stretch vector along the longer axis: the root of what the variance along it has more
      */
-    record Light(Vector3fc towards, Vector3fc color, double deviation) {
+    record Light(Vector3fc towards, Vector3fc color, double deviation, Vector3fc stretch) {
         double luminance() {
             return 0.2126729 * color.x() + 0.7151522 * color.y() + 0.0721750 * color.z();
         }
@@ -52,8 +75,46 @@ record LightList(List<Group> groups) {
         }
     }
 
-    /** Returns a scene's lights, the first group those of the key light; fill lights cast no shadows. */
-    static LightList of(Scene scene) {
+    /** Returns an environment's lights, or the scene's own, the first group those of the key light; fill lights cast no shadows. */
+    static LightList of(Scene scene, Optional<RadianceMap> environment) {
+        return environment.map(map -> of(scene, map.lights(), false)).orElseGet(() -> own(scene));
+    }
+
+    /** As {@link #of}, with few lights of an environment. */
+    static LightList moving(Scene scene, Optional<RadianceMap> environment) {
+        return environment.map(map -> of(scene, map.lights(), true)).orElseGet(() -> own(scene));
+    }
+
+    private static LightList of(Scene scene, LightTree tree, boolean moves) {
+        boolean areDrawn = !moves && !hasFootprints(scene);
+        int count = moves ? MOVING : scene.get(SceneSettings.ENVIRONMENT_LIGHTS).orElse(STILL);
+        Vector3f up = new Vector3f(0, 0, 1).rotate(new Quaternionf(scene.orientation()));
+        float turn = scene.get(SceneSettings.ENVIRONMENT_ROTATION).floatValue();
+        float intensity = scene.get(SceneSettings.ENVIRONMENT_INTENSITY).floatValue();
+        List<Group> groups = new ArrayList<>();
+        for (LightTree.Group region :
+                areDrawn ? tree.pixels(ENVIRONMENT_GROUPS) : tree.groups(count, ENVIRONMENT_GROUPS)) {
+            List<Light> lights = region.lights().stream()
+                    .map(light -> new Light(
+                            light.towards().rotateZ(turn, new Vector3f()),
+                            light.color().mul(intensity, new Vector3f()),
+                            OVERLAP * light.deviation(),
+                            light.stretch().mul((float) OVERLAP, new Vector3f()).rotateZ(turn)))
+                    // The ground hides what is below it.
+                    .filter(light -> scene.ground().isEmpty() || light.towards().dot(up) > 0)
+                    .toList();
+            if (!lights.isEmpty()) {
+                boolean hasShadows = scene.hasShadows() && !moves;
+                groups.add(new Group(lights, hasShadows ? Math.max(SHARPEST_PENUMBRA, 2 * region.deviation()) : 0));
+            }
+        }
+        if (groups.isEmpty()) {
+            groups.add(new Group(List.of(new Light(up, new Vector3f(), 0, new Vector3f())), 0));
+        }
+        return new LightList(groups, areDrawn, intensity);
+    }
+
+    private static LightList own(Scene scene) {
         List<Group> groups = new ArrayList<>();
         groups.add(new Group(drawn(scene, scene.light()).toList(), scene.hasShadows() ? SCENE_PENUMBRA : 0));
         if (!scene.fillLights().isEmpty()) {
@@ -62,20 +123,37 @@ record LightList(List<Group> groups) {
                     .toList();
             groups.add(new Group(fill, 0));
         }
-        return new LightList(groups);
+        double intensity =
+                scene.lights().stream().mapToDouble(SceneLight::intensity).sum();
+        return new LightList(groups, false, scene.sky() * intensity);
+    }
+
+    private static boolean hasFootprints(Scene scene) {
+        return scene.method().type().equals(TableMethod.TYPE) && !scene.method().isThesis();
     }
 
     /** Footprints show lights of one direction: a wide light becomes several. */
     private static Stream<Light> drawn(Scene scene, SceneLight light) {
-        boolean hasFootprints = scene.method().type().equals(TableMethod.TYPE)
-                && !scene.method().isThesis();
-        List<SceneLight> parts = hasFootprints ? light.narrow() : List.of(light);
+        List<SceneLight> parts = hasFootprints(scene) ? light.narrow() : List.of(light);
         return parts.stream()
-                .map(part -> new Light(part.towards(), new Vector3f((float) part.intensity()), scene.deviation(part)));
+                .map(part -> new Light(
+                        part.towards(), new Vector3f((float) part.intensity()), scene.deviation(part), new Vector3f()));
     }
 
     List<Light> all() {
         return groups.stream().flatMap(group -> group.lights().stream()).toList();
+    }
+
+    /** Luminance of a white surface that faces the brightest side, without shadows. */
+    double white() {
+        List<Light> all = all();
+        return all.stream()
+                .mapToDouble(facing -> all.stream()
+                        .mapToDouble(light ->
+                                light.luminance() * Math.max(0, light.towards().dot(facing.towards())))
+                        .sum())
+                .max()
+                .orElse(0);
     }
 
     int count() {
@@ -92,7 +170,13 @@ record LightList(List<Group> groups) {
         for (Group group : groups) {
             int end = first + group.lights().size();
             if (light < end) {
-                return new LightList(List.of(new Group(List.of(group.lights().get(light - first)), group.penumbra())));
+                Light alone = group.lights().get(light - first);
+                double share = alone.luminance()
+                        / all().stream().mapToDouble(Light::luminance).sum();
+                return new LightList(
+                        List.of(new Group(List.of(alone), group.penumbra())),
+                        areDrawn,
+                        share > 0 ? share * skyWeight : 0);
             }
             first = end;
         }

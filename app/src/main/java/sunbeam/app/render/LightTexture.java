@@ -3,6 +3,8 @@ package sunbeam.app.render;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import jrtr.Tile;
 import jrtr.VertexData.BoundingSphere;
 import jrtr.gl.FloatTarget;
@@ -22,23 +24,28 @@ import org.joml.Vector4f;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.render.LightList.Group;
 import sunbeam.app.render.LightList.Light;
+import sunbeam.app.scene.environment.RadianceMap;
 
 /** Lights and shadow maps in graphics memory (shaders/include/light_list.glsl, shadow.glsl). Belongs to its context's thread. */
 final class LightTexture implements AutoCloseable {
-    private static final int ROWS = 8;
+    private static final int ROWS = 9;
     private static final int CHANNELS = 4;
     // Rows of the texture, as in the shader.
     private static final int TOWARDS = 0;
     private static final int COLOR = 1;
-    private static final int LIGHTS = 2;
-    private static final int TILE = 3;
-    private static final int MATRIX = 4;
+    private static final int STRETCH = 2;
+    private static final int LIGHTS = 3;
+    private static final int TILE = 4;
+    private static final int MATRIX = 5;
 
     // In texels, sides of the image of all maps, for still pictures and for moving ones, which may draw it for each
     // frame.
     private static final int SIDE = 1024;
     private static final int MANY_SIDE = 2048;
     private static final int MOVING_SIDE = 320;
+    // In texels, and points along a texel's side.
+    private static final int SKY_SIDE = 256;
+    private static final int SKY_POINTS = 3;
     // In radii of the mesh; the light's rays are parallel within a degree.
     private static final float DISTANCE = 60;
     // In texels along the normal, so that a surface does not shade itself.
@@ -48,6 +55,7 @@ final class LightTexture implements AutoCloseable {
 
     private final RenderContext context;
     private final FloatTexture texture;
+    private final FloatTexture sky;
     private final FloatTarget noShadows;
     private final ShaderProgram program;
     // Keys are sides.
@@ -55,6 +63,8 @@ final class LightTexture implements AutoCloseable {
     private final Map<Integer, Casting> drawn = new HashMap<>();
     private final float[] texels = new float[CHANNELS * ROWS * LightList.MOST];
     private Shown shown;
+    private Optional<RadianceMap> shownSky = Optional.empty();
+    private Vector3f horizon = new Vector3f();
 
     /** Meshes that cast shadows, and the sphere around them, in world space. */
     record Casters(List<RenderItem> items, BoundingSphere bounds) {}
@@ -68,11 +78,20 @@ final class LightTexture implements AutoCloseable {
         this.context = context;
         this.texture = context.createFloatTexture(
                 "lights", FloatTexture.Spec.flat(LightList.MOST, ROWS, FloatTexture.Format.RGBA32F));
-        this.noShadows = Resource.orClose(() -> context.createFloatTarget("no shadows", spec(1)), texture::close);
+        this.sky = Resource.orClose(
+                () -> context.createFloatTexture(
+                        "sky",
+                        FloatTexture.Spec.flat(SKY_SIDE, SKY_SIDE, FloatTexture.Format.RGBA32F)
+                                .with(FloatTexture.Filter.LINEAR)),
+                texture::close);
+        this.noShadows =
+                Resource.orClose(() -> context.createFloatTarget("no shadows", spec(1)), texture::close, sky::close);
         this.program = Resource.orClose(
                 () -> context.createMeshProgram(Shaders.library().load("shadow.frag")),
                 texture::close,
+                sky::close,
                 noShadows::close);
+        sky.upload(new float[CHANNELS * SKY_SIDE * SKY_SIDE]);
     }
 
     private static FloatTarget.Spec spec(int side) {
@@ -102,6 +121,47 @@ final class LightTexture implements AutoCloseable {
         shown = wanted;
     }
 
+    /** Uploads the surroundings that gloss mirrors, unless the weight is 0. */
+    void surround(LightList lights, Optional<RadianceMap> environment) {
+        if (lights.skyWeight() == 0) {
+            return;
+        }
+        RadianceMap map = environment.orElseGet(RadianceMap::sky);
+        if (shownSky.filter(old -> old.equals(map)).isPresent()) {
+            return;
+        }
+        float[] rgb = new float[CHANNELS * SKY_SIDE * SKY_SIDE];
+        IntStream.range(0, SKY_SIDE * SKY_SIDE).parallel().forEach(i -> {
+            Vector3f mean = new Vector3f();
+            for (int point = 0; point < SKY_POINTS * SKY_POINTS; point++) {
+                int row = i / SKY_SIDE;
+                int down = point / SKY_POINTS;
+                double x = i % SKY_SIDE + (point % SKY_POINTS + 0.5) / SKY_POINTS;
+                double y = row + (down + 0.5) / SKY_POINTS;
+                mean.add(map.radiance(fromOctahedron(2 * x / SKY_SIDE - 1, 2 * y / SKY_SIDE - 1)));
+            }
+            for (int c = 0; c < 3; c++) {
+                rgb[CHANNELS * i + c] = mean.get(c) / (SKY_POINTS * SKY_POINTS);
+            }
+        });
+        sky.upload(rgb);
+        horizon = map.horizon();
+        shownSky = Optional.of(map);
+    }
+
+    /** As in include/octahedron.glsl. */
+    private static Vector3f fromOctahedron(double x, double y) {
+        double z = 1 - Math.abs(x) - Math.abs(y);
+        double foldedX = z < 0 ? Math.copySign(1 - Math.abs(y), x) : x;
+        double foldedY = z < 0 ? Math.copySign(1 - Math.abs(x), y) : y;
+        return new Vector3f((float) foldedX, (float) foldedY, (float) z);
+    }
+
+    /** Linear Rec. 709 of the surroundings at the horizon. */
+    Vector3f horizon() {
+        return horizon;
+    }
+
     private void draw(Casters casters, View view, FloatTarget map, int across, int number) {
         int side = map.spec().width() / across;
         int x = number % across * side;
@@ -128,6 +188,7 @@ final class LightTexture implements AutoCloseable {
             Light light = all.get(i);
             put(TOWARDS, i, light.towards(), Math.pow(light.deviation(), 2));
             put(COLOR, i, light.color(), 0);
+            put(STRETCH, i, light.stretch(), 0);
         }
         int first = 0;
         int map = 0;
@@ -170,9 +231,15 @@ final class LightTexture implements AutoCloseable {
         return Map.of("lightList", texture, "shadowMap", map.depth());
     }
 
+    /** Returns the texture of include/sky.glsl, by sampler. */
+    Map<String, Texture> surroundings() {
+        return Map.of("skyMap", sky);
+    }
+
     @Override
     public void close() {
         texture.close();
+        sky.close();
         noShadows.close();
         program.close();
         maps.values().forEach(FloatTarget::close);

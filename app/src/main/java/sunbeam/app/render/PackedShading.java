@@ -2,11 +2,13 @@ package sunbeam.app.render;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
+import jrtr.scene.Light;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -21,6 +23,7 @@ final class PackedShading implements AutoCloseable {
     private static final int CHANNELS = 4;
     // Pixels of a square follow one another, so that neighbors stay neighbors.
     private static final int SQUARE = 4;
+    private static final int FEW_PIXELS = 200;
 
     private final FloatTexture sources;
     private final FloatTarget target;
@@ -96,12 +99,15 @@ final class PackedShading implements AutoCloseable {
     float[] shade(Part part) {
         float[] lit = new float[CHANNELS * part.columns() * part.rows()];
         int[] missing = shade(part, part.covered(), lit);
-        if (missing.length > 0 && !part.tiles().isScheduled()) {
-            addFeedback(part, missing);
+        while (missing.length > 0 && !part.tiles().isScheduled()) {
+            // Under many lights some pixels tell nearly all tiles.
+            addFeedback(part, missing, part.lights.count() > Light.MOST ? 1 + missing.length / FEW_PIXELS : 1);
             part.tiles().bakeFeedback();
-            if (shade(part, missing, lit).length > 0) {
+            int[] left = shade(part, missing, lit);
+            if (left.length == missing.length) {
                 throw new IllegalStateException("a footprint reads tiles that are missing in its feedback");
             }
+            missing = left;
         }
         return lit;
     }
@@ -131,7 +137,7 @@ final class PackedShading implements AutoCloseable {
 
     private float[] sumOfLights(Part part, Packing packing) {
         int lights = part.lights.count();
-        int perPass = part.skin.lightsPerPass();
+        int perPass = part.skin.lightsPerPass(part.lights);
         float[] sum = meanOfDraws(part, packing, 0, Math.min(lights, perPass));
         for (int first = perPass; first < lights; first += perPass) {
             float[] further = meanOfDraws(part, packing, first, Math.min(lights, first + perPass));
@@ -163,17 +169,21 @@ final class PackedShading implements AutoCloseable {
         return sums;
     }
 
-    void addFeedback(Part part) {
-        addFeedback(part, part.covered());
+    /** Adds the footprints of every {@code stride}-th pixel to the feedback. */
+    void addFeedback(Part part, int stride) {
+        addFeedback(part, part.covered(), stride);
     }
 
-    private void addFeedback(Part part, int[] covered) {
+    private void addFeedback(Part part, int[] all, int stride) {
+        int[] covered = IntStream.range(0, (all.length + stride - 1) / stride)
+                .map(i -> all[stride * i])
+                .toArray();
         List<LightList.Light> lights = part.lights.all();
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = upload(part, covered, first);
             for (int light = 0; light < lights.size(); light++) {
-                // A wide light's colors are means of two levels.
-                int levels = lights.get(light).deviation() > 0 ? 2 : 1;
+                // A wide light's colors are means of two levels, those of many lights not.
+                int levels = lights.get(light).deviation() > 0 && lights.size() <= Light.MOST ? 2 : 1;
                 for (int level = 0; level < levels; level++) {
                     part.skin.shade(part, sources, target, packing.used(), light, light + 1, level, false);
                     Footprints footprints = new Footprints(read(packing, 1), read(packing, 2));

@@ -8,9 +8,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import jrtr.Tile;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -38,7 +40,7 @@ public record PartSum(List<SceneSession> sessions) {
     private static final double MOST_BY_LIGHT = 2;
 
     // Samples along a metered pixel's side by method table; other methods take one.
-    private static final int TABLE_SAMPLES = 2;
+    static final int TABLE_SAMPLES = 2;
 
     /** Compares some baked colors with exact ones and warns of tables that err too much. */
     public void validate() {
@@ -58,8 +60,8 @@ public record PartSum(List<SceneSession> sessions) {
             looks.add(
                     parts.size() == 1
                             ? parts.get(0).draw(own)
-                            : ScenePicture.sum(own.perLight().stream()
-                                    .map(light -> underOneLight(parts, light))
+                            : ScenePicture.sum(lightByLight(own.scene())
+                                    .map(light -> underOneLight(parts, own.under(light)))
                                     .toList()));
         });
         return ScenePicture.joined(looks);
@@ -105,6 +107,9 @@ public record PartSum(List<SceneSession> sessions) {
 
     /** Returns an exposure, or the nearest that is at most {@link #MOST_BY_LIGHT} times off the median of an even number of others. */
     static double bounded(double own, double[] others) {
+        if (others.length == 0) {
+            return own;
+        }
         double[] sorted = Arrays.stream(others).sorted().toArray();
         double middle = Math.sqrt(sorted[sorted.length / 2 - 1] * sorted[sorted.length / 2]);
         return Math.max(middle / MOST_BY_LIGHT, Math.min(middle * MOST_BY_LIGHT, own));
@@ -145,9 +150,18 @@ public record PartSum(List<SceneSession> sessions) {
                         session -> session.data().look(), LinkedHashMap::new, Collectors.toList()));
     }
 
+    /** Returns the index of each light; of an environment, whose lights are many, no index, which stands for all together. */
+    private static Stream<OptionalInt> lightByLight(Scene scene) {
+        if (scene.hasEnvironment()) {
+            return Stream.of(OptionalInt.empty());
+        }
+        int lights = LightList.of(scene, Optional.empty()).count();
+        return IntStream.range(0, lights).mapToObj(OptionalInt::of);
+    }
+
     private static ScenePicture underOneLight(List<SceneSession> parts, DrawRequest request) {
         ScenePicture light = light(parts, request, SceneSession::draw);
-        return request.scene().hasBody() ? over(body(parts, request), light, request) : light;
+        return request.scene().hasBody() ? over(parts, body(parts, request), light, request) : light;
     }
 
     /**
@@ -172,9 +186,8 @@ public record PartSum(List<SceneSession> sessions) {
         for (Map.Entry<Integer, List<SceneSession>> look : looks().entrySet()) {
             List<SceneSession> parts = look.getValue();
             Scene own = scene.at(look.getKey());
-            DrawRequest whole = DrawRequest.ofPixels(own, width, height, Tile.whole(width, height), 1);
             List<ScenePicture> lit = new ArrayList<>();
-            for (DrawRequest one : whole.perLight()) {
+            for (OptionalInt alone : lightByLight(own).toList()) {
                 ScenePicture light = ScenePicture.empty(columns, rows);
                 boolean isWhole = tiles.draw(Tile.whole(columns, rows).divide(TimedTiles.LARGEST), interrupted, few -> {
                     int x = stride * few.x();
@@ -183,14 +196,16 @@ public record PartSum(List<SceneSession> sessions) {
                     int bottom = Math.min(y + stride * few.height(), height);
                     Tile tile = new Tile(x, y, right - x, bottom - y);
                     var request = new DrawRequest(
-                            own, width, height, tile, 1, stride, stride, false, Optional.empty(), one.light());
+                            own, width, height, tile, 1, stride, stride, false, Optional.empty(), alone);
                     light.put(light(parts, request, SceneSession::drawResident), few.x(), few.y());
                 });
                 if (!isWhole) {
                     return Optional.empty();
                 }
-                ScenePicture body = body(parts, one);
-                lit.add(over(body, light.enlarged(stride, body, white), one));
+                DrawRequest whole = DrawRequest.ofPixels(own, width, height, Tile.whole(width, height), 1)
+                        .under(alone);
+                ScenePicture body = body(parts, whole);
+                lit.add(over(parts, body, light.enlarged(stride, body, white), whole));
             }
             looks.add(ScenePicture.sum(lit));
         }
@@ -218,13 +233,14 @@ public record PartSum(List<SceneSession> sessions) {
         }
     }
 
-    /** @param request for one light */
-    private static ScenePicture over(ScenePicture body, ScenePicture light, DrawRequest request) {
+    /** Hides the body by the diffracted light, relative to white: that of one light, or of all of an environment. */
+    private static ScenePicture over(
+            List<SceneSession> parts, ScenePicture body, ScenePicture light, DrawRequest request) {
         Scene scene = request.scene();
-        double intensity = request.lights().all().get(0).luminance();
+        double intensity = parts.get(0).lights(request).white();
         // With Fresnel's reflectance as opacity the shader has already attenuated the body.
         boolean byLight = scene.bodyAlpha() == BodyAlpha.LIGHT;
-        double share = byLight ? 1 : 1 - scene.get(SceneSettings.AMBIENT);
+        double share = byLight ? 1 : 1 - scene.ambient();
         float[] rgba = light.rgba().clone();
         for (int pixel = 0; pixel < rgba.length; pixel += 4) {
             double alpha = byLight && intensity > 0 ? Math.min(1, rgba[pixel + 1] / intensity) : 0;

@@ -1,6 +1,7 @@
 package sunbeam.app.render;
 
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -194,14 +195,25 @@ public final class SceneLoader {
 
     /** Only ensemble averages have levels for a wide light. */
     private static void requireEnsemble(Scene scene) {
+        Choices choices = scene.method().choices();
+        if (scene.hasEnvironment() && scene.method().isThesis()) {
+            throw choices.complaint(
+                    PRESET,
+                    "thesis has one light and no environment; leave it out, or set ",
+                    SceneSettings.ENVIRONMENT,
+                    " none");
+        }
+        if (scene.hasEnvironment()
+                && scene.method().method() instanceof TableMethod table
+                && table.area().average() == Average.COHERENT) {
+            throw choices.complaint(
+                    AVERAGE, "coherent has no color of an environment's wide lights; give ensemble, or method full");
+        }
         if (scene.lights().stream().anyMatch(light -> scene.deviation(light) > 0)
                 && scene.method().method() instanceof TableMethod table
                 && table.area().average() == Average.COHERENT) {
-            throw scene.method()
-                    .choices()
-                    .complaint(
-                            AVERAGE,
-                            "coherent has no color of a light with an angularDiameter; give ensemble, or method full");
+            throw choices.complaint(
+                    AVERAGE, "coherent has no color of a light with an angularDiameter; give ensemble, or method full");
         }
     }
 

@@ -18,6 +18,7 @@ import sunbeam.app.render.GeometryBuffer.Layout;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSharing;
+import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.precompute.errors.ErrorStatistics;
 
 /**
@@ -160,7 +161,7 @@ public final class SceneSession implements AutoCloseable {
 
     private ScenePicture drawLook(DrawRequest request) {
         SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height());
-        LightList lights = request.lights();
+        LightList lights = lights(request);
         LightTexture inMemory = uploaded.lights(geometry, lights, false);
         Optional<Ground> ground = uploaded.ground(request.scene());
         ScenePicture picture = ScenePicture.empty(request.columns(request.tile()), request.rows(request.tile()));
@@ -171,6 +172,17 @@ public final class SceneSession implements AutoCloseable {
             picture.put(drawn, piece.x() / request.across(), piece.y() / request.down());
         }
         return picture;
+    }
+
+    /** Light from all directions; empty for a scene with lights of its own. */
+    private Optional<RadianceMap> environment() {
+        return uploaded.environment();
+    }
+
+    /** Returns the lights of a request. */
+    LightList lights(DrawRequest request) {
+        LightList all = LightList.of(request.scene(), environment());
+        return request.light().isPresent() ? all.only(request.light().getAsInt()) : all;
     }
 
     private PackedShading.Part part(
@@ -190,8 +202,12 @@ public final class SceneSession implements AutoCloseable {
         return buffer;
     }
 
-    /** Adds footprints to the feedback. If interrupted, clears it and returns false. */
-    private boolean addFeedback(List<DrawRequest> parts, BooleanSupplier interrupted) {
+    /**
+     * Adds footprints to the feedback. If interrupted, clears it and returns false.
+     *
+     * @param ofSome whether a sample of the pixels suffices: under many lights only some are drawn
+     */
+    private boolean addFeedback(List<DrawRequest> parts, boolean ofSome, BooleanSupplier interrupted) {
         // Backwards: the LRU cache keeps the geometry of parts that are drawn first.
         for (int i = parts.size() - 1; i >= 0; i--) {
             if (interrupted.getAsBoolean()) {
@@ -200,10 +216,10 @@ public final class SceneSession implements AutoCloseable {
             }
             DrawRequest request = own(parts.get(i));
             SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height());
-            LightList lights = request.lights();
+            LightList lights = lights(request);
             LightTexture inMemory = uploaded.lights(geometry, lights, false);
             for (SceneBlocks.Piece piece : request.blocks().split(request.tile())) {
-                shading.addFeedback(part(request, geometry, lights, inMemory, piece));
+                shading.addFeedback(part(request, geometry, lights, inMemory, piece), ofSome ? lights.count() : 1);
             }
         }
         return true;
@@ -220,7 +236,7 @@ public final class SceneSession implements AutoCloseable {
     public Optional<ErrorStatistics> tableErrors(Scene scene, int width, int height, PixelSamples samples) {
         return virtualTexture().map(tiles -> {
             tiles.clearFeedback();
-            addFeedback(parts(scene, width, height, samples), () -> false);
+            addFeedback(parts(scene, width, height, samples), true, () -> false);
             tiles.bakeFeedback();
             return tiles.errors();
         });
@@ -237,11 +253,13 @@ public final class SceneSession implements AutoCloseable {
         }
         VirtualTexture tiles = virtualTexture().get();
         tiles.clearRequest();
-        if (tiles.requestWhole()) {
+        // Finding the tiles of hundreds of lights takes longer than baking all of them.
+        if (tiles.requestWhole(environment().isPresent())) {
             return true;
         }
-        boolean isWhole = (tiles.hasCoarsest() || addFeedback(PartSum.meterParts(scene(), width, height), interrupted))
-                && addFeedback(parts(scene(), width, height, samples), interrupted);
+        boolean isWhole =
+                (tiles.hasCoarsest() || addFeedback(PartSum.meterParts(scene(), width, height), false, interrupted))
+                        && addFeedback(parts(scene(), width, height, samples), false, interrupted);
         if (isWhole) {
             tiles.request();
         }
@@ -261,14 +279,15 @@ public final class SceneSession implements AutoCloseable {
     /** Draws a moving picture of a scene; without its diffraction before the first {@link #update(SceneData)}. */
     public BufferedImage body(Scene scene, int width, int height, double exposure) {
         SkinGeometry geometry = uploaded.geometry(scene, width, height);
-        LightTexture lights = uploaded.lights(geometry, LightList.of(scene), true);
+        LightList list = LightList.moving(scene, environment());
+        LightTexture lights = uploaded.lights(geometry, list, true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         // Direct writes end Swing's acceleration, from which an image that is painted once gains nothing.
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
             GeometryBuffer buffer = drawn(Layout.MOVING, geometry, piece.block());
-            int[] part =
-                    skin.drawMoving(scene, uploaded.ground(scene), geometry, lights, buffer, piece.block(), exposure);
+            int[] part = skin.drawMoving(
+                    scene, uploaded.ground(scene), geometry, list, lights, buffer, piece.block(), exposure);
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import jrtr.VertexData.BoundingSphere;
@@ -12,6 +13,7 @@ import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.SkyVisibility;
@@ -25,8 +27,10 @@ import sunbeam.precompute.files.InputException;
  * @param things one for each object
  * @param whole all meshes at their places in the model
  * @param sky visible share of the sky from all vertices of the whole; computed on first use
+ * @param environment light from all directions; empty for a scene with lights of its own
  */
-public record SceneShape(List<Thing> things, Mesh whole, Supplier<SkyVisibility> sky) {
+public record SceneShape(
+        List<Thing> things, Mesh whole, Supplier<SkyVisibility> sky, Optional<RadianceMap> environment) {
     // Each mesh may have two million; the copies of all fit a heap of 2 GB.
     private static final long MOST_VERTICES = 6_000_000;
 
@@ -62,14 +66,24 @@ public record SceneShape(List<Thing> things, Mesh whole, Supplier<SkyVisibility>
             Body body = bodies.computeIfAbsent(inputsOfBody(object), inputs -> body(object, cache));
             things.add(new Thing(mesh, body, place(object, mesh)));
         }
+        boolean sharesEnvironment =
+                previous != null && before.get(SceneSettings.ENVIRONMENT).equals(scene.get(SceneSettings.ENVIRONMENT));
+        Optional<RadianceMap> environment = sharesEnvironment ? previous.environment : environment(scene);
         if (previous != null && sharesPlaces(things, previous.things)) {
-            return new SceneShape(things, previous.whole, previous.sky);
+            return new SceneShape(things, previous.whole, previous.sky, environment);
         }
         Mesh whole = Mesh.joined(
                 things.stream().map(Thing::mesh).toList(),
                 things.stream().map(Thing::toModel).toList());
         Supplier<SkyVisibility> computed = () -> SkyVisibility.of(whole, cache);
-        return new SceneShape(things, whole, scene.occludesSky() ? BackgroundTask.start(computed)::get : computed);
+        Supplier<SkyVisibility> sky = scene.occludesSky() ? BackgroundTask.start(computed)::get : computed;
+        return new SceneShape(things, whole, sky, environment);
+    }
+
+    private static Optional<RadianceMap> environment(Scene scene) {
+        return scene.hasEnvironment()
+                ? Optional.of(RadianceMap.load(scene.get(SceneSettings.ENVIRONMENT)))
+                : Optional.empty();
     }
 
     /** Loads all meshes of a scene, at their places in the model, without textures. */

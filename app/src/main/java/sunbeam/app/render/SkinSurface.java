@@ -12,7 +12,6 @@ import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.scene.Light;
-import org.joml.Vector3f;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -20,7 +19,6 @@ import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.PackedShading.Part;
 import sunbeam.app.render.SceneData.ReflectanceComponent;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
 import sunbeam.precompute.color.CieTable;
@@ -37,6 +35,8 @@ final class SkinSurface implements AutoCloseable {
     // sample along a pixel's side. Few slopes meet a sharp order, and these pictures are the reference for method
     // table.
     private static final int LEAST_SLOPES = 16;
+    // Draws of an environment's lights.
+    private static final int LEAST_LIGHTS = 64;
     private static final int SLOPES_PER_SAMPLE_ACROSS = 6;
 
     private static final int MOST_TAPS = 8;
@@ -44,13 +44,16 @@ final class SkinSurface implements AutoCloseable {
     private static final int MOVING_SOFTWARE_TAPS = 1;
     private static final int MOVING_HARDWARE_TAPS = 4;
 
+    // Rounds levels up, so that lights of neighboring regions leave no ripples between them.
+    private static final float MANY_ROUNDING = 0.85f;
+
     private final RenderContext context;
     private final UploadedTables method;
     // Radiance of a mirror under the coherence window, relative to sunlight; 1 for methods not normalized to a mirror.
     private final double diffractionScale;
     private final Optional<VirtualTexture> texture;
     private final Optional<ReflectanceComponent> component;
-    // The first picture is a moving one and does not need it.
+    // Keys are whether lights are many. The first picture is a moving one and needs none.
     private ShaderProgram program;
     // Keys are numbers of lights.
     private final Map<Integer, ShaderProgram> movingPrograms = new HashMap<>();
@@ -83,14 +86,16 @@ final class SkinSurface implements AutoCloseable {
 
     /** Number of draws whose mean is the picture: each has one slope of fine relief and one direction of a wide light. */
     int draws(Scene scene, LightList lights, int samplesAcross) {
-        return texture.isEmpty() && (scene.slopeDeviation() > 0 || lights.areWide())
-                ? Math.max(LEAST_SLOPES, SLOPES_PER_SAMPLE_ACROSS * samplesAcross)
-                : 1;
+        if (texture.isPresent() || !(scene.slopeDeviation() > 0 || lights.areWide() || lights.areDrawn())) {
+            return 1;
+        }
+        int least = lights.areDrawn() ? LEAST_LIGHTS : LEAST_SLOPES;
+        return Math.max(least, SLOPES_PER_SAMPLE_ACROSS * samplesAcross);
     }
 
     /** Number of lights that a pass draws: footprints read tables quickly, points may need all steps of loops that a driver allows. */
-    int lightsPerPass() {
-        return texture.isPresent() ? LightList.MOST : 1;
+    int lightsPerPass(LightList lights) {
+        return texture.isPresent() || lights.areDrawn() ? LightList.MOST : 1;
     }
 
     /**
@@ -115,25 +120,29 @@ final class SkinSurface implements AutoCloseable {
             boolean hasColors) {
         DrawRequest request = part.request();
         Scene scene = request.scene();
+        boolean areMany = texture.isPresent() && part.lights().count() > Light.MOST;
         if (program == null) {
             program = method.program("skin.frag", Map.of("COLOR_LEVELS", texture.isPresent() ? "1" : "0"));
         }
-        setBlend(program, scene);
+        setBlend(program, scene, part.lights());
         program.set("drawnPatch", (float)
                 SceneData.patchNumber(part.data().look(), part.data().region()));
         program.set("firstLight", firstLight);
         program.set("lastLight", lastLight);
         program.set("lightGroups", part.lights().groups().size());
+        program.set("lightsAreDrawn", part.lights().areDrawn() ? 1 : 0);
         program.set("targetToWorld", part.geometry().blockToWorld(part.piece().block()));
         Map<String, Texture> textures = new HashMap<>(method.textures());
         textures.putAll(part.buffer().textures());
         textures.put("depths", part.buffer().attributes().depth());
         textures.putAll(part.inMemory().textures());
+        textures.putAll(part.inMemory().surroundings());
         if (texture.isPresent()) {
             ColorTable table = texture.get().table();
             setFootprints(program, table, scene);
             program.set("leastLevel", request.isCoarsest() ? table.levels().size() - 1f : 0);
             program.set("mostTaps", (float) MOST_TAPS);
+            program.set("levelRounding", areMany ? MANY_ROUNDING : 0);
             program.set("samplesAcross", (float) Math.max(1, request.samples() / request.footprintScale()));
             program.set("footprintScale", (float) request.footprintScale());
             program.set("lookUps", hasColors ? 1 : 0);
@@ -167,24 +176,26 @@ final class SkinSurface implements AutoCloseable {
             Scene scene,
             Optional<Ground> ground,
             SkinGeometry geometry,
+            LightList list,
             LightTexture inMemory,
             GeometryBuffer buffer,
             Tile block,
             double exposure) {
-        List<SceneLight> lights = scene.lights();
+        List<LightList.Light> lights = list.all().subList(0, Math.min(Light.MOST, list.count()));
         int taps = context.info().software() ? MOVING_SOFTWARE_TAPS : MOVING_HARDWARE_TAPS;
         ShaderProgram moving = movingPrograms.computeIfAbsent(
                 lights.size(),
                 count -> method.program("moving.frag", Map.of("MOST_TAPS", taps + "", "LIGHTS", count + "")));
-        setLights(moving, scene);
-        setBlend(moving, scene);
-        float[] variances = Floats.of(lights.size(), i -> Math.pow(scene.deviation(lights.get(i)), 2));
+        setLights(moving, lights);
+        setBlend(moving, scene, list);
+        float[] variances = Floats.of(lights.size(), i -> Math.pow(lights.get(i).deviation(), 2));
         moving.set("lightVariances", variances);
         Map<String, Texture> textures = new HashMap<>(method.textures());
         texture.ifPresent(tiles -> {
             setFootprints(moving, tiles.table(), scene);
             moving.set("leastLevel", 0f);
             moving.set("mostTaps", (float) taps);
+            moving.set("levelRounding", 0f);
             moving.set("samplesAcross", 1f);
             textures.putAll(tiles.textures());
         });
@@ -195,12 +206,13 @@ final class SkinSurface implements AutoCloseable {
         textures.putAll(buffer.textures());
         textures.put("depths", buffer.attributes().depth());
         textures.putAll(inMemory.textures());
+        textures.putAll(inMemory.surroundings());
         Tile whole = Tile.whole(block.width(), block.height());
         moving.set("perPicture", 1f / block.width(), 1f / block.height());
         var spec = new FloatTarget.Spec(block.width(), block.height(), 1, true, FloatTarget.Format.RGBA8);
         FloatTarget target = movingTarget.of(context, "moving", spec);
         if (ground.isPresent()) {
-            ground.get().fillMovingBlock(target, scene, geometry, inMemory, block, exposure);
+            ground.get().fillMovingBlock(target, scene, geometry, list, inMemory, block, exposure);
         } else {
             int rgb = scene.get(SceneSettings.BACKGROUND).rgb();
             target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
@@ -211,20 +223,32 @@ final class SkinSurface implements AutoCloseable {
     }
 
     /** For jrtr/lights.glsl. */
-    static void setLights(ShaderProgram program, Scene scene) {
-        Light.apply(SceneGraph.of(scene, new Vector3f(), List.of()).lights(), program);
+    static void setLights(ShaderProgram program, List<LightList.Light> lights) {
+        Light.apply(
+                lights.stream()
+                        .map(light -> new Light(light.towards(), light.color()))
+                        .toList(),
+                program);
     }
 
     /** For include/blend.glsl and include/sky.glsl. */
-    private void setBlend(ShaderProgram program, Scene scene) {
+    private void setBlend(ShaderProgram program, Scene scene, LightList lights) {
         program.set("diffractionWeight", (float) (scene.get(SceneSettings.DIFFRACTION) * diffractionScale));
         program.set("textureWeight", scene.get(SceneSettings.TEXTURE_WEIGHT).floatValue());
         program.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());
-        program.set("skyWeight", (float) (scene.hasBody() ? scene.sky() : 0));
-        program.set("ambientWeight", scene.get(SceneSettings.AMBIENT).floatValue());
+        program.set("skyWeight", (float) (scene.hasBody() ? lights.skyWeight() : 0));
+        setSky(program, scene);
+        program.set("ambientWeight", (float) scene.ambient());
         program.set("fresnelAlpha", scene.bodyAlpha() == BodyAlpha.FRESNEL ? 1f : 0f);
         program.set("unlitTexture", scene.bodyAlpha() == BodyAlpha.DRAFT ? 1f : 0f);
         setReflection(program, scene);
+    }
+
+    /** For include/sky.glsl. */
+    static void setSky(ShaderProgram program, Scene scene) {
+        double turn = scene.hasEnvironment() ? scene.get(SceneSettings.ENVIRONMENT_ROTATION) : 0;
+        program.set("skyTurn", (float) Math.cos(turn), (float) Math.sin(turn));
+        program.set("isEnvironment", scene.hasEnvironment() ? 1f : 0f);
     }
 
     /** Reflectance of the index, or for an index by wavelength of this surface's component. */

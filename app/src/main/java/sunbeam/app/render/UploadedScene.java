@@ -33,6 +33,7 @@ import sunbeam.app.render.SceneShape.Thing;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.mesh.SnakeBody;
@@ -49,6 +50,7 @@ final class UploadedScene implements AutoCloseable {
     private final Picking picking;
     private final Map<Layout, GeometryBuffer.Cache> buffers = new EnumMap<>(Layout.class);
     private List<Integer> looks = List.of();
+    private SceneShape shape;
     private Meshes meshes;
     private List<SkinTextures> bodies = List.of();
 
@@ -64,6 +66,11 @@ final class UploadedScene implements AutoCloseable {
         return scene.drawsGround() ? meshes.ground() : Optional.empty();
     }
 
+    /** Light from all directions; empty for a scene with lights of its own. */
+    Optional<RadianceMap> environment() {
+        return shape.environment();
+    }
+
     /** Geometry of a scene with the uploaded meshes. */
     SkinGeometry geometry(Scene scene, int width, int height) {
         GraphSceneManager graph = graph(scene);
@@ -74,6 +81,7 @@ final class UploadedScene implements AutoCloseable {
     /** Uploads lights and draws their shadow maps; moving pictures have coarser ones. */
     LightTexture lights(SkinGeometry geometry, LightList list, boolean moves) {
         lights.update(list, new LightTexture.Casters(geometry.items(), geometry.bounds()), moves);
+        lights.surround(list, environment());
         return lights;
     }
 
@@ -131,6 +139,7 @@ final class UploadedScene implements AutoCloseable {
                 () -> closeUnless(keepsMeshes, nextMeshes));
         bodies.stream().filter(body -> !nextBodies.contains(body)).forEach(SkinTextures::close);
         closeUnless(keepsMeshes, meshes);
+        this.shape = shape;
         meshes = nextMeshes;
         bodies = nextBodies;
         looks = scene.looks();
@@ -263,7 +272,9 @@ final class UploadedScene implements AutoCloseable {
 
         Optional<Pick> pick(UploadedScene uploaded, Scene scene, View.Area pixel) {
             GraphSceneManager graph = uploaded.graph(scene);
-            SkinSurface.setLights(program, scene);
+            List<LightList.Light> lights =
+                    LightList.moving(scene, uploaded.environment()).all();
+            SkinSurface.setLights(program, lights.subList(0, 1));
             View view =
                     SkinGeometry.view(viewpoint(scene, graph), graph.bounds().orElseThrow());
             new RenderPass(context, program, Map.of(), false)

@@ -182,7 +182,10 @@ public record Scene(
 
     /** Returns the built-in or absolute names of textures, maps and patches. */
     public List<String> files() {
-        return perObject().stream().flatMap(Scene::filesOfObject).toList();
+        return Stream.concat(
+                        Stream.of(get(SceneSettings.ENVIRONMENT)),
+                        perObject().stream().flatMap(Scene::filesOfObject))
+                .toList();
     }
 
     private Stream<String> filesOfObject() {
@@ -224,8 +227,14 @@ public record Scene(
         return Stream.concat(Stream.of(light), fillLights.stream()).toList();
     }
 
-    /** Returns an even number of scenes with the key light in directions around its own, with which automatic exposure compares that one. */
+    /**
+     * Returns an even number of scenes with the key light in directions around its own, with which automatic exposure compares that one; none
+     * under an environment, which has light from all sides.
+     */
     public List<Scene> lightsAround() {
+        if (hasEnvironment()) {
+            return List.of();
+        }
         return light.around(METER_TILTS, METER_TILT).stream()
                 .map(this::withLight)
                 .toList();
@@ -289,13 +298,23 @@ public record Scene(
         return drawsSurroundings() ? get(SceneSettings.SKY) : 0;
     }
 
+    /** True if an environment lights the scene, in place of its lights. */
+    public boolean hasEnvironment() {
+        return !get(SceneSettings.ENVIRONMENT).equals(SceneSettings.NONE);
+    }
+
+    /** Share of ambient light; an environment is itself the light from all sides. */
+    public double ambient() {
+        return hasEnvironment() ? 0 : get(SceneSettings.AMBIENT);
+    }
+
     public boolean hasShadows() {
         return drawsSurroundings() && get(SceneSettings.SHADOWS);
     }
 
     /** True if ambient light depends on the visible share of the sky. */
     public boolean occludesSky() {
-        return sky() > 0 || ground().isPresent();
+        return sky() > 0 || ground().isPresent() || hasEnvironment();
     }
 
     /** Scalar with the thesis's preset and for methods not normalized to a mirror. */
@@ -351,6 +370,10 @@ public record Scene(
             if (this == TURNTABLE) {
                 Quaternionf turn = new Quaternionf().rotationZ((float) radians);
                 return scene.withOrientation(turn.mul(scene.orientation()).normalize());
+            }
+            if (scene.hasEnvironment()) {
+                return scene.with(
+                        SceneSettings.ENVIRONMENT_ROTATION, scene.get(SceneSettings.ENVIRONMENT_ROTATION) + radians);
             }
             Vector3f towards = new Vector3f(scene.light().towards()).rotateZ((float) radians);
             return scene.withLight(scene.light().pointing(towards));

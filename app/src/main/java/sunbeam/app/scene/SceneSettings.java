@@ -4,10 +4,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.scene.Scene.Viewpoint;
+import sunbeam.app.scene.environment.LightTree;
+import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.Body.Scales;
@@ -23,7 +26,8 @@ import sunbeam.precompute.units.Decimals;
 /** Settings of scenes, except those of patches and methods. */
 public final class SceneSettings {
     private static final String AUTOMATIC = "auto";
-    private static final String NONE = "none";
+    public static final String NONE = "none";
+    private static final String LIGHTS_RANGE = "auto, or a number from 1 to " + LightTree.MOST;
     private static final double LARGEST_EXPOSURE = 1e9;
     private static final double LARGEST_WEIGHT = 1e9;
     // Many turns, which a twisted model may add up; single precision does not represent more well.
@@ -154,6 +158,41 @@ public final class SceneSettings {
                     "Radiance of the sky that gloss reflects, relative to lit white; preset thesis has 0.")
             .withStandard(0.0);
 
+    public static final Setting<String> ENVIRONMENT = new Setting<>(
+                    "environment",
+                    ValueKind.text("NAME"),
+                    "Light from all directions, in place of the scene's lights: window, overcast, sun, sky, a Radiance file"
+                            + " (.hdr), or none. Not with preset thesis.")
+            .inFiles("file")
+            .withStandard(NONE);
+
+    /** Radians, counterclockwise from above. */
+    public static final Setting<Double> ENVIRONMENT_ROTATION = new Setting<>(
+                    "environmentRotation",
+                    ValueKind.angle(Math.toRadians(-MOST_DEGREES), Math.toRadians(MOST_DEGREES)),
+                    "Rotation of the environment about the vertical in degrees, counter-clockwise from above.")
+            .inFiles("rotation")
+            .withStandard(0.0);
+
+    public static final Setting<Double> ENVIRONMENT_INTENSITY = new Setting<>(
+                    "environmentIntensity", ValueKind.number("FACTOR", 0, 1e6), "Factor of the environment's radiance.")
+            .inFiles("intensity")
+            .withStandard(1.0);
+
+    /** Lights that stand for the environment; empty if a tolerance decides. */
+    public static final Setting<OptionalInt> ENVIRONMENT_LIGHTS = new Setting<>(
+                    "environmentLights",
+                    new ValueKind<>(
+                            "N",
+                            ValueKind.Form.NUMBER,
+                            SceneSettings::parseLights,
+                            value -> value,
+                            value -> value.isEmpty() ? AUTOMATIC : value.getAsInt() + "",
+                            LIGHTS_RANGE),
+                    "Lights that stand for the environment by method table, 1 to 2048, or auto: as many as the tolerance needs.")
+            .inFiles("lights")
+            .withStandard(OptionalInt.empty());
+
     public static final Setting<Boolean> SHADOWS = new Setting<>(
                     "shadows",
                     ValueKind.flag(),
@@ -189,6 +228,9 @@ public final class SceneSettings {
 
     static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT, BODY_ALPHA);
 
+    static final List<Setting<?>> OF_ENVIRONMENT =
+            List.of(ENVIRONMENT, ENVIRONMENT_ROTATION, ENVIRONMENT_INTENSITY, ENVIRONMENT_LIGHTS);
+
     /** Keys of the root, in the order in which they are written. */
     static final List<Setting<?>> OF_ROOT = List.of(
             TITLE,
@@ -223,14 +265,14 @@ public final class SceneSettings {
     static final List<Setting<?>> OF_LOOK = Setting.union(List.of(ROUGHNESS, INDEX, ENERGY), WEIGHTS);
 
     static final List<Setting<?>> OF_SCENE =
-            Stream.concat(OF_ROOT.stream(), WEIGHTS.stream()).toList();
+            Stream.of(OF_ROOT, OF_ENVIRONMENT, WEIGHTS).flatMap(List::stream).toList();
 
     static final List<Setting<?>> OF_RECORD =
             Stream.concat(OF_SCENE.stream(), Stream.of(KEEPS_SURROUNDINGS)).toList();
 
     /** Settings whose change requires loading. */
     static final List<Setting<?>> PARTS =
-            List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ORIENTATION_MAP, ROUGHNESS, INDEX, ENERGY);
+            List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ORIENTATION_MAP, ROUGHNESS, INDEX, ENERGY, ENVIRONMENT);
 
     public static final List<Setting<?>> OVERRIDABLE = OF_SCENE.stream()
             .filter(setting -> !List.of(TITLE, BACKGROUND).contains(setting))
@@ -244,6 +286,11 @@ public final class SceneSettings {
             standard = standard.orStandard(setting);
         }
         return standard;
+    }
+
+    /** Names of built-in environments, and of none. */
+    public static List<String> environments() {
+        return Stream.concat(RadianceMap.builtIn().stream(), Stream.of(NONE)).toList();
     }
 
     private static Setting<Double> weight(String name, String help, double standard) {
@@ -269,6 +316,18 @@ public final class SceneSettings {
                 check,
                 value -> value.isEmpty() ? AUTOMATIC : Decimals.format(value.getAsDouble()),
                 range);
+    }
+
+    private static OptionalInt parseLights(String text) {
+        OptionalDouble count = Decimals.parse(text);
+        boolean isAutomatic = text.strip().equals(AUTOMATIC);
+        boolean isCount = count.orElse(0) >= 1
+                && count.orElse(0) <= LightTree.MOST
+                && count.orElse(0) == Math.rint(count.orElse(0));
+        if (!isAutomatic && !isCount) {
+            throw new IllegalArgumentException(Text.quoted(text) + " is out of range; give " + LIGHTS_RANGE);
+        }
+        return isAutomatic ? OptionalInt.empty() : OptionalInt.of((int) count.getAsDouble());
     }
 
     private static OptionalDouble parseExposure(String text) {

@@ -20,6 +20,7 @@ public final class SceneSharing {
         List<SceneObject> objects = scene.objects();
         return objects.size() == other.objects().size()
                 && scene.method().method().equals(other.method().method())
+                && scene.get(SceneSettings.ENVIRONMENT).equals(other.get(SceneSettings.ENVIRONMENT))
                 && IntStream.range(0, objects.size())
                         .allMatch(i ->
                                 objects.get(i) == other.objects().get(i) || sharesObject(scene.at(i), other.at(i)));

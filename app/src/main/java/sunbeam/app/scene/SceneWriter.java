@@ -95,6 +95,12 @@ public final class SceneWriter {
         }
         camera(scene.view());
         orientation(scene.orientation());
+        if (scene.hasEnvironment()) {
+            String name = toWrittenName.apply(scene.get(SceneSettings.ENVIRONMENT));
+            Choices given = scene.settings().only(SceneSettings.OF_ENVIRONMENT).with(SceneSettings.ENVIRONMENT, name);
+            boolean isAutomatic = scene.get(SceneSettings.ENVIRONMENT_LIGHTS).isEmpty();
+            object("environment", isAutomatic ? given.without(SceneSettings.ENVIRONMENT_LIGHTS) : given);
+        }
         json.writeFieldName("light");
         light(scene.light());
         if (!scene.fillLights().isEmpty()) {

@@ -132,12 +132,16 @@ public final class Scenes {
         }
         List<SceneObject> objects =
                 keys.stream().map(object -> object(object, hasObjects)).toList();
+        Choices environment = environment();
+        boolean isLit = !environment.get(SceneSettings.ENVIRONMENT).equals(SceneSettings.NONE);
         Scene scene = new Scene(
-                        own,
+                        own.over(environment),
                         objects.get(0).patches(),
                         view,
                         orientation(root),
-                        light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
+                        isLit && !root.has("light")
+                                ? new SceneLight(new Vector3f(0, 0, 1), 1, 0)
+                                : light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
                         root.objects("fillLights", Scene.MOST_FILL_LIGHTS).stream()
                                 .map(Scenes::light)
                                 .toList(),
@@ -146,6 +150,24 @@ public final class Scenes {
         plan.ifPresent(JsonObject::requireNoOthers);
         root.requireNoOthers();
         return scene;
+    }
+
+    /** A name, or an object with a name or file and further settings. */
+    private Choices environment() {
+        if (!root.has("environment")) {
+            return Choices.none();
+        }
+        JsonNode value = root.required("environment", "\"window\"");
+        Choices choices;
+        if (value.isTextual()) {
+            choices = Choices.at(root.originAt("environment")).with(SceneSettings.ENVIRONMENT, value.textValue());
+        } else {
+            JsonObject keys = root.object("environment", "");
+            keys.required(SceneSettings.ENVIRONMENT.fileKey(), "\"window\"");
+            choices = keys.choices(SceneSettings.OF_ENVIRONMENT);
+            keys.requireNoOthers();
+        }
+        return resolve(choices, SceneSettings.ENVIRONMENT, SceneSettings.environments());
     }
 
     /** Reads settings, with absolute names of files. */

@@ -141,6 +141,8 @@ public final class ControlPanel extends JTabbedPane {
         sceneTab.slider(SceneSettings.ANGULAR_DIAMETER, Scale.TENTHS_OF_DEGREES, 0, 150);
         sceneTab.box(SceneSettings.GROUND, new NameBox(List.of("none", "#3a3733", "#808080", "#d8d2c8")), true);
         sceneTab.slider(SceneSettings.SKY, Scale.HUNDREDTHS, 0, 200);
+        sceneTab.box(SceneSettings.ENVIRONMENT, new NameBox(SceneSettings.environments()), false);
+        sceneTab.slider(SceneSettings.ENVIRONMENT_INTENSITY, Scale.STOPS, -15, 15);
         sceneTab.flag(SceneSettings.SHADOWS);
         sceneTab.box(SceneSettings.TONE, SettingRows.words(SceneSettings.TONE), false);
     }

@@ -262,4 +262,26 @@ class SceneFileTest {
                 .isInstanceOf(OutputException.class)
                 .hasMessageContaining("copy it there");
     }
+
+    /** With an environment the scene needs no light of its own. */
+    @Test
+    void anEnvironmentIsReadAndWritten() throws IOException {
+        Files.write(folder.resolve("room.hdr"), new byte[1]);
+        String object = "\"environment\": { \"file\": \"room.hdr\", \"rotation\": \"30 deg\", \"intensity\": 2,"
+                + " \"lights\": 300 }, \"exposure\"";
+        String withoutLight = SCENE.replaceAll("\"light\": \\{[^}]*},?", "").replace("\"exposure\"", object);
+        Scene scene = Scenes.read(write(withoutLight));
+        assertThat(scene.hasEnvironment()).isTrue();
+        assertThat(scene.get(SceneSettings.ENVIRONMENT_ROTATION)).isEqualTo(Math.toRadians(30));
+        assertThat(scene.get(SceneSettings.ENVIRONMENT_LIGHTS)).hasValue(300);
+        Path copy = folder.resolve("copy.json");
+        SceneWriter.write(copy, Overwrite.REFUSE, scene);
+        assertThat(copy).content().contains("\"room.hdr\"").doesNotContain(folder.toString());
+        assertThat(Scenes.read(copy)).isEqualTo(scene);
+
+        String named = SCENE.replace("\"exposure\"", "\"environment\": \"overcast\", \"exposure\"");
+        assertThat(Scenes.read(write(named)).get(SceneSettings.ENVIRONMENT)).isEqualTo("overcast");
+        String wrong = SCENE.replace("\"exposure\"", "\"environment\": \"cellar\", \"exposure\"");
+        assertThatThrownBy(() -> Scenes.read(write(wrong))).hasMessageContaining("window, overcast, sun, sky, none");
+    }
 }

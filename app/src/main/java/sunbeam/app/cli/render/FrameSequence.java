@@ -31,6 +31,7 @@ import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.FrameText;
+import sunbeam.app.render.LightCount;
 import sunbeam.app.render.LineDrawings;
 import sunbeam.app.render.PartSum;
 import sunbeam.app.render.PixelPicture;
@@ -95,6 +96,11 @@ public final class FrameSequence implements AutoCloseable {
 
     public List<SceneData> parts() {
         return sessions.stream().map(SceneSession::data).toList();
+    }
+
+    /** Returns the number of lights that stand for a scene's environment; empty if that is not open. */
+    Optional<LightCount> lightCount(Scene scene) {
+        return LightCount.of(sum, scene, width, height, () -> false);
     }
 
     /** Returns whether the frame's file is missing or has other parameters; throws an exception if it must not be replaced. */

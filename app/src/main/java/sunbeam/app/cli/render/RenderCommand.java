@@ -29,6 +29,7 @@ import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
+import sunbeam.app.render.LightCount;
 import sunbeam.app.render.LineDrawings;
 import sunbeam.app.render.PixelPicture.LitPixels;
 import sunbeam.app.render.PixelSamples;
@@ -141,19 +142,29 @@ public final class RenderCommand extends FileCommand {
         }
     }
 
-    private int draw(RenderContext context, LoadingScene loading, List<Scene> scenes, Path target) {
-        Scene scene = scenes.get(0);
+    private int draw(RenderContext context, LoadingScene loading, List<Scene> asked, Path target) {
         PrintWriter err = err();
         PrintWriter out = out(output, linear);
         PixelSamples samples = supersample != null
                 ? PixelSamples.uniform(supersample)
-                : PixelSamples.of(scene.method(), size.width(), size.height());
+                : PixelSamples.of(asked.get(0).method(), size.width(), size.height());
         try (TevClient viewer = tev.connect(err).orElse(null);
                 FrameSequence frames = new FrameSequence(
                         context, loading.upload(context), size, samples, overlays, viewer, environment())) {
             List<SceneData> parts = frames.parts();
+            Optional<LightCount> count = frames.lightCount(asked.get(0));
+            List<Scene> scenes = asked.stream()
+                    .map(frame -> count.map(found -> found.in(frame)).orElse(frame))
+                    .toList();
+            Scene scene = scenes.get(0);
+            String lights = count.map(found -> "; " + found.describe()).orElse("");
             SceneData.ofRegions(parts, RenderCommand::plan)
-                    .forEach(plan -> err.println(plan + "; " + samples.describe()));
+                    .forEach(plan -> err.println(plan + "; " + samples.describe() + lights));
+            count.filter(LightCount::isMissed)
+                    .ifPresent(found -> err.println(Messages.warning(Text.format(
+                            "the environment's lights agree to a mean CIEDE2000 of %.2g, not of %.2g as the tolerance asks;"
+                                    + " smooth small lights of the map, or give roughness",
+                            found.difference(), found.limit()))));
             List<Path> written = animation.isGiven() ? animate(frames, scenes, target) : draw(frames, scene, target);
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("scene", sceneName);
@@ -164,7 +175,7 @@ public final class RenderCommand extends FileCommand {
                 json.print(out, report, written);
             }
             ExitCode certified = certify.count()
-                    .map(count -> frames.certify(scene, count, report, json.text(out), err))
+                    .map(pixels -> frames.certify(scene, pixels, report, json.text(out), err))
                     .orElse(ExitCode.OK);
             if (json.isGiven()) {
                 json.print(out, report, written);

@@ -76,6 +76,7 @@ public final class SceneOverrides {
         located = withAbsoluteName(located, TEXTURE, BodyTexture.names());
         located = withAbsoluteName(located, ILLUMINANT, Illuminant.NAMES);
         located = withAbsoluteName(located, SceneSettings.ORIENTATION_MAP, List.of(Body.NONE));
+        located = withAbsoluteName(located, SceneSettings.ENVIRONMENT, SceneSettings.environments());
         Choices own = located;
         Scene applied = scene.each(object -> object.with(own));
         if (given.get(SCALES, Scales.NONE) != Scales.NONE

@@ -172,9 +172,13 @@ public final class VirtualTexture implements AutoCloseable {
         schedule(afterwards);
     }
 
-    /** Requests all tiles if all are cached or resident, which is faster than finding those that footprints read; else returns false. */
-    public boolean requestWhole() {
-        if (!isCached.getNow(false) && !isComplete()) {
+    /**
+     * Requests all tiles if all are cached or resident, which is faster than finding those that footprints read, or, if asked, if they are
+     * few enough to be baked; else returns false.
+     */
+    public boolean requestWhole(boolean evenIfBaked) {
+        boolean isWanted = evenIfBaked && prefetchSet.isWhole();
+        if (!isWanted && !isCached.getNow(false) && !isComplete()) {
             return false;
         }
         feedback.add(prefetchSet.prefetched());

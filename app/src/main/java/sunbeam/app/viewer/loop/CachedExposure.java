@@ -39,7 +39,9 @@ final class CachedExposure {
      * light is displayed as white.
      */
     double soFar(Scene scene, int metering, boolean hasColors) {
-        double intensity = scene.light().intensity();
+        double intensity = scene.hasEnvironment()
+                ? scene.get(SceneSettings.ENVIRONMENT_INTENSITY)
+                : scene.light().intensity();
         double ofWhite = intensity > 0 ? 1 / intensity : 1;
         return known(scene, metering).orElse(hasFirst(scene, metering, hasColors) ? firstExposure : ofWhite);
     }

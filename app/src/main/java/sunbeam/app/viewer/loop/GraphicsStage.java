@@ -9,6 +9,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.VirtualTexture;
+import sunbeam.app.render.LightCount;
 import sunbeam.app.render.LineDrawings;
 import sunbeam.app.render.Pick;
 import sunbeam.app.render.PixelPicture;
@@ -221,13 +222,18 @@ public final class GraphicsStage implements Stage {
         }
         int width = state.width();
         int height = state.height();
+        Optional<LightCount> count = LightCount.of(current.sum(), scene(), width, height, interrupted);
+        Scene counted = count.map(found -> found.in(scene())).orElse(scene());
+        if (interrupted.getAsBoolean()) {
+            return Optional.empty();
+        }
         PixelSamples samples = samples();
         double exposure = exposureSoFar(true);
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();
         boolean isWhole = current.tiles.draw(SceneSession.tiles(width, height, samples.side()), interrupted, tile -> {
             BufferedImage part = current.sum()
-                    .draw(scene(), width, height, tile, samples, exposure)
+                    .draw(counted, width, height, tile, samples, exposure)
                     .image();
             whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
             drawn.drawn(tile, part, (double) done.addAndGet(tile.pixels()) / ((double) width * height));

@@ -8,6 +8,7 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scene.Viewpoint;
+import sunbeam.app.scene.SceneSettings;
 
 /** Geometry of mouse drags and wheel turns that move model, light or camera. */
 public final class Drags {
@@ -50,8 +51,16 @@ public final class Drags {
         return camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
     }
 
-    /** Moves the light on a sphere around the model, to the picture's right and upwards by these angles, in radians. */
+    /**
+     * Moves the light on a sphere around the model, to the picture's right and upwards by these angles, in radians; an environment turns
+     * about the vertical.
+     */
     public static Scene lit(Scene scene, double right, double up) {
+        if (scene.hasEnvironment()) {
+            return scene.with(
+                    SceneSettings.ENVIRONMENT_ROTATION,
+                    Math.IEEEremainder(scene.get(SceneSettings.ENVIRONMENT_ROTATION) + right, 2 * Math.PI));
+        }
         Matrix4f worldToCamera = scene.view().camera().worldToCamera();
         Vector3f seen = worldToCamera.transformDirection(scene.light().towards(), new Vector3f());
         seen.rotateY((float) right).rotateX((float) -up);

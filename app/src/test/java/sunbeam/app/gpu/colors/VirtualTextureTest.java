@@ -83,7 +83,7 @@ class VirtualTextureTest {
                 VirtualTexture texture = new VirtualTexture(context, bakers())) {
             texture.bakeOn(tasks::add, () -> {});
             tasks.remove().run();
-            isWhole = texture.requestWhole();
+            isWhole = texture.requestWhole(false);
             runAll(tasks);
             assertThat(texture.drain()).isTrue();
             assertThat(texture.isComplete()).isEqualTo(isWhole);
