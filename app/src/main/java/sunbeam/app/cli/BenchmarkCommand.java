@@ -75,6 +75,9 @@ public final class BenchmarkCommand extends FileCommand {
     @Mixin
     private MethodOptions methodOptions;
 
+    @Mixin
+    private PageOptions page;
+
     @Option(
             names = "--size",
             paramLabel = "PIXELS",
@@ -99,8 +102,10 @@ public final class BenchmarkCommand extends FileCommand {
 
     @Option(
             names = "--output",
-            paramLabel = "PAGE.md",
-            description = "A page to write; plots (PNG) and numbers (CSV) go into a folder of the same name.")
+            paramLabel = "FILE",
+            description =
+                    "A page to write; plots (PNG) and numbers (CSV) go into a folder of the same name. Or a picture"
+                            + " (.pdf, .svg, .png) of the plots, with the numbers beside it (.csv).")
     private Path output;
 
     @Override
@@ -114,6 +119,7 @@ public final class BenchmarkCommand extends FileCommand {
         UsageException.requireWithin("--size", size, 16, 2048);
         UsageException.requireWithin("--samples", samples, 0, MOST_VIEWS);
         if (output != null) {
+            page.width();
             BenchmarkPage.checkWritable(output, overwrite());
         }
         UsageException.throwIf(
@@ -124,16 +130,16 @@ public final class BenchmarkCommand extends FileCommand {
         List<Patch> patches = patchOptions.load(names.isEmpty() ? standard : names, asked);
         try (RenderContext context = RenderContext.offscreen()) {
             Meter meter = new Meter(context, size, light.direction());
-            BenchmarkPage page = new BenchmarkPage(context.info().renderer(), light.describe(), size, samples);
-            print(page.introduction());
+            BenchmarkPage results = new BenchmarkPage(context.info().renderer(), light.describe(), size, samples);
+            print(results.introduction());
             for (Patch patch : patches) {
-                print(complexity ? growth(meter, page, patch) : methods(meter, page, patch, asked));
+                print(complexity ? growth(meter, results, patch) : methods(meter, results, patch, asked));
             }
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("renderer", context.info().renderer());
             report.put("size", size);
-            report.put("measured", page.numbers());
-            json.print(out(), report, output == null ? List.of() : page.write(output, overwrite()));
+            report.put("measured", results.numbers());
+            json.print(out(), report, output == null ? List.of() : results.write(output, overwrite(), page));
         }
         return ExitCode.OK.code();
     }
@@ -144,7 +150,7 @@ public final class BenchmarkCommand extends FileCommand {
     }
 
     /** Measures the thesis's shader, then the requested methods. If none is chosen, a failure of one becomes a remark. */
-    private String methods(Meter meter, BenchmarkPage page, Patch patch, Choices asked) {
+    private String methods(Meter meter, BenchmarkPage results, Patch patch, Choices asked) {
         DiffractionSetup setup = setup(patch);
         List<String> remarks = new ArrayList<>();
         Map<String, Method> contenders = contenders(setup.limitToScan(asked, err()));
@@ -164,10 +170,10 @@ public final class BenchmarkCommand extends FileCommand {
                 progress.step(1);
             });
         }
-        return page.addMethods(rows, remarks);
+        return results.addMethods(rows, remarks, page.pixels());
     }
 
-    private String growth(Meter meter, BenchmarkPage page, Patch patch) {
+    private String growth(Meter meter, BenchmarkPage results, Patch patch) {
         CostGrowth growth = new CostGrowth(setup(patch), environment());
         List<CostGrowth.Variant> variants = growth.variants();
         try (Progress progress = environment().progress().start("Benchmark " + patch.name(), variants.size())) {
@@ -177,7 +183,7 @@ public final class BenchmarkCommand extends FileCommand {
                 rows.add(CostGrowth.measure(meter, variant));
                 progress.step(1);
             }
-            return page.addGrowth(rows, CostGrowth.plot(variants, rows));
+            return results.addGrowth(rows, CostGrowth.plot(variants, rows, page.pixels()));
         }
     }
 

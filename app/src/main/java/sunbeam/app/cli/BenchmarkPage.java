@@ -5,10 +5,13 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.app.cli.Meter.Measurement;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.plot.Drawing;
@@ -22,6 +25,9 @@ import sunbeam.precompute.text.Text;
 /** Results of a run as a Markdown page with a table for each patch. Plots and all numbers are in a folder of the page's name. */
 final class BenchmarkPage {
     private static final String ENDING = ".md";
+    /** Height of a plot relative to its width. */
+    static final double RATIO = 0.63;
+
     private static final String NUMBERS = "benchmark.csv";
     // Least error that is plotted, as a logarithmic axis has no 0.
     private static final double LEAST = 1e-9;
@@ -33,12 +39,22 @@ final class BenchmarkPage {
     private record Section(String text, List<Measurement> rows, Plot plot, String name) {}
 
     static void checkWritable(Path page, Overwrite overwrite) {
+        if (Ending.PICTURE.isOf(page)) {
+            numbered(page, overwrite).checkWritable();
+            return;
+        }
         String name = String.valueOf(page.getFileName());
         if (!name.endsWith(ENDING) || name.length() == ENDING.length()) {
-            throw new UsageException("--output " + page + " is no page; give it the ending .md");
+            throw new UsageException(
+                    "--output " + page + " is no page and no picture; give it the ending .md, .pdf, .svg or .png");
         }
         AtomicFile.checkWritable(page, overwrite);
         OutputFolder.check(folder(page));
+    }
+
+    /** Returns a picture and its numbers. */
+    private static FileGroup numbered(Path picture, Overwrite overwrite) {
+        return FileGroup.named(picture, List.of("." + Ending.of(picture), ".csv"), overwrite);
     }
 
     private static Path folder(Path page) {
@@ -84,11 +100,11 @@ final class BenchmarkPage {
     }
 
     /** Returns the section's text; the first row is that of the thesis's shader. */
-    String addMethods(List<Measurement> rows, List<String> remarks) {
+    String addMethods(List<Measurement> rows, List<String> remarks, int width) {
         List<Measurement> drawn = rows.stream()
                 .filter(row -> Double.isFinite(row.errors().median()))
                 .toList();
-        return add(rows, rows, remarks, drawn.isEmpty() ? null : plot(drawn), "methods");
+        return add(rows, rows, remarks, drawn.isEmpty() ? null : plot(drawn, width), "methods");
     }
 
     String addGrowth(List<Measurement> rows, Plot plot) {
@@ -155,7 +171,19 @@ final class BenchmarkPage {
     }
 
     /** Writes the page, its plots and numbers; returns their files, the page first. */
-    List<Path> write(Path page, Overwrite overwrite) {
+    List<Path> write(Path page, Overwrite overwrite, PageOptions options) {
+        if (Ending.PICTURE.isOf(page)) {
+            Drawing[] plots = sections.stream()
+                    .filter(section -> section.plot() != null)
+                    .map(section -> section.plot().draw())
+                    .toArray(Drawing[]::new);
+            UsageException.throwIf(
+                    plots.length == 0,
+                    "--output " + page + ": nothing to plot without errors; give --samples, or a page .md");
+            Drawing drawing = Drawing.column(0, plots);
+            Map<String, String> text = Map.of("Title", "Error and time");
+            return FileCommand.write(page, overwrite, drawing, options.width(), text, Optional.of(csv()));
+        }
         List<Path> written = new ArrayList<>();
         Path folder = folder(page);
         OutputFolder.create(folder);
@@ -164,22 +192,32 @@ final class BenchmarkPage {
             text.append(section.text());
             if (section.plot() != null) {
                 String file = section.rows().get(0).patch() + "-" + section.name() + ".png";
-                written.add(section.plot().write(folder.resolve(file), overwrite, Map.of("Title", section.name())));
+                written.add(FileCommand.write(
+                                folder.resolve(file),
+                                overwrite,
+                                section.plot().draw(),
+                                options.width(),
+                                Map.of("Title", section.name()),
+                                Optional.empty())
+                        .get(0));
                 text.append(Text.format("%n![%s](%s/%s)%n", section.name(), folder.getFileName(), file));
             }
         }
-        written.add(AtomicFile.write(
-                folder.resolve(NUMBERS), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers()))));
+        written.add(AtomicFile.write(folder.resolve(NUMBERS), overwrite, csv()));
         text.append(Text.format("%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
         written.add(0, AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text)));
         return written;
     }
 
-    private static Plot plot(List<Measurement> rows) {
+    private AtomicFile.StreamContent csv() {
+        return AtomicFile.StreamContent.of(CsvWriter.text(numbers()));
+    }
+
+    private static Plot plot(List<Measurement> rows, int width) {
         String patch = rows.get(0).patch();
         Axis time = Axis.logarithmic("time per pixel / us");
         Axis error = Axis.logarithmic("relative error of XYZ (median)");
-        Plot plot = new Plot(new Plot.Frame(patch + ": error over time", time, error, Drawing.COLUMN, 840));
+        Plot plot = new Plot(new Plot.Frame(patch + ": error over time", time, error, width, (int) (RATIO * width)));
         for (Measurement row : rows) {
             double[] x = {1e6 * row.secondsPerPixel()};
             double[] y = {Math.max(LEAST, row.errors().median())};

@@ -23,12 +23,14 @@ import sunbeam.app.cli.MaterialMap.Result;
 import sunbeam.app.cli.PatchOptions.IndexOption;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.AtomicFile.StreamContent;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.LinearFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.files.plot.Drawing;
+import sunbeam.app.files.plot.PictureFile;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.Energy;
@@ -105,11 +107,15 @@ public final class BrdfMapCommand extends FileCommand {
                     + " coherence length and exposure. --no-annotate leaves the disc alone, --size pixels wide.")
     private boolean annotate;
 
+    @Mixin
+    private PageOptions page;
+
     @Option(
             names = "--output",
-            paramLabel = "FILE.png",
-            description = "The picture, sRGB; it carries its parameters as text. Of several patches: the folder."
-                    + " Default: a name made of the patch.")
+            paramLabel = "FILE",
+            description =
+                    "The picture (.png, .pdf or .svg), sRGB; it carries its parameters as text. Of several patches: the folder."
+                            + " Default: a name made of the patch.")
     private Path output;
 
     @Mixin
@@ -198,12 +204,14 @@ public final class BrdfMapCommand extends FileCommand {
             String shared = compared.areSeveral() ? ", automatic, one for all" : ", automatic";
             String exposed = "exposure " + Decimals.rounded(factor, 3) + (exposure.isAutomatic() ? shared : "");
             Optional<String> other = Optional.of(index.describe(material)).filter(words -> !material.isStandard());
-            BufferedImage image = annotate
-                    ? sheet.annotated(other, exposed, asked, Drawing.STANDARD_WIDTH)
-                            .rasterize()
-                    : sheet.plain();
-            Path written = write(picture, image, text, first);
-            List<Integer> thumbnail = List.of(0, 0, image.getWidth(), image.getWidth());
+            BufferedImage plain = sheet.plain();
+            Drawing drawing = annotate ? sheet.annotated(other, exposed, asked, page.width()) : Drawing.of(plain);
+            // Without annotation, a bitmap is transparent around the disc.
+            StreamContent content = annotate || !Ending.ofPicture(picture).equals("png")
+                    ? PictureFile.of(picture, drawing, page.width(), text)
+                    : stream -> PngWriter.write(stream, plain, text, plain.getWidth() / page.width());
+            Path written = write(picture, content, text, first);
+            List<Integer> thumbnail = List.of(0, 0, drawing.width(), drawing.width());
             fields.stream().limit(1).forEach(surface -> surface.put("thumbnail_px", thumbnail));
             report.put("exposure", factor);
             report.put("renderer", context.info().renderer());
@@ -230,7 +238,11 @@ public final class BrdfMapCommand extends FileCommand {
                 resume.isGiven() && (json.isGiven() || certify.count().isPresent()),
                 "--resume keeps an existing map, " + (json.isGiven() ? "--json reports on it" : "--certify draws it")
                         + "; leave out one of them");
-        Ending.PNG.require("--output", output);
+        Ending.PICTURE.require("--output", output);
+        page.width();
+        UsageException.throwIf(
+                resume.isGiven() && output != null && !Ending.ofPicture(output).equals("png"),
+                "--resume knows a finished map by its PNG; end --output with .png");
         Ending.LINEAR.require("--linear", linear);
         UsageException.throwIf(
                 linear != null && linear.equals(output),
@@ -287,14 +299,14 @@ public final class BrdfMapCommand extends FileCommand {
     }
 
     /** Writes the picture and, if requested, the linear file; neither appears under its name before both are complete. */
-    private Path write(Path picture, BufferedImage image, Map<String, String> text, LinearPicture map) {
+    private Path write(Path picture, StreamContent content, Map<String, String> text, LinearPicture map) {
         try (AtomicFile png = AtomicFile.create(picture, overwrite(resume.isGiven() ? picture : output));
                 AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, overwrite())) {
             if (numbers != null) {
                 numbers.fill(LinearFile.of(linear, map.xyz(), size, size));
                 ResumeOption.noteLinear(text, numbers.path());
             }
-            png.fill(stream -> PngWriter.write(stream, image, text));
+            png.fill(content);
             if (numbers != null) {
                 numbers.commit();
             }

@@ -8,6 +8,8 @@ import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -52,6 +54,8 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
     private static final List<String> EVALUATED = List.of(
             "/azimuth_deg /peaks_interpolated/mean_m /peaks_interpolated/standard_error_m /peaks_at_maxima/mean_m"
                     .split(" ", -1));
+    // The reports have all digits.
+    private static final MathContext SHOWN = new MathContext(6);
     private static final String REPORTS = "reports";
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final ObjectNode NO_SURFACE = JSON.createObjectNode();
@@ -210,7 +214,10 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
         String between = value.path(0).isNumber() ? " to " : "; ";
         return value.isArray()
                 ? value.valueStream().map(CollectionFolder::cell).collect(Collectors.joining(between))
-                : value.asText("");
+                : value.isDouble()
+                        ? Double.toString(
+                                new BigDecimal(value.asDouble()).round(SHOWN).doubleValue())
+                        : value.asText("");
     }
 
     /** @param files number of files by name; a file that shares its name is shown with its folder's */

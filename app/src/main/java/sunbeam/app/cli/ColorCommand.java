@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import jrtr.gl.RenderContext;
@@ -15,6 +16,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.PatchOptions.IndexOption;
 import sunbeam.app.files.input.LightTable;
+import sunbeam.app.files.output.AtomicFile.StreamContent;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.gpu.colors.DiffractionSetup;
@@ -78,11 +80,21 @@ public final class ColorCommand extends FileCommand {
     @Mixin
     private ResumeOption resume;
 
+    @Mixin
+    private PageOptions page;
+
+    @Option(
+            names = "--panel",
+            paramLabel = "NAME",
+            description = "Draw one panel alone: ${COMPLETION-CANDIDATES} (its values: .csv).")
+    private ColorSheet.Panel panel;
+
     @Option(
             names = "--output",
-            paramLabel = "FILE.png",
-            description = "The picture; FILE.csv and FILE.json are written beside it. Of several patches: the folder."
-                    + " Default: a name made of the patch.")
+            paramLabel = "FILE",
+            description =
+                    "The picture (.png, .pdf or .svg); FILE.csv and FILE.json are written beside it. Of several patches: the folder."
+                            + " Default: a name made of the patch.")
     private Path output;
 
     @Option(
@@ -103,7 +115,8 @@ public final class ColorCommand extends FileCommand {
 
     private int run(Choices choices) {
         resume.requireMany();
-        Ending.PNG.require("--output", output);
+        Ending.PICTURE.require("--output", output);
+        page.width();
         double theta = light.degrees(LightOptions.THETA_I);
         UsageException.throwIf(
                 angles.count() < 2 || Math.max(-angles.minimum(), angles.maximum()) + angles.step() / 2 >= HORIZON,
@@ -143,7 +156,7 @@ public final class ColorCommand extends FileCommand {
             String name = reports.size() > 1 ? Text.oneLine(report.patch().name()) + ": " : "";
             json.text(out()).println(name + String.join(System.lineSeparator() + "  ", report.lines()));
         }
-        ColorSheet sheet = new ColorSheet(reports, settings, cie);
+        ColorSheet sheet = new ColorSheet(reports, settings, cie, page.pixels(), Optional.ofNullable(panel));
         Map<String, Object> tree = new LinkedHashMap<>(settings);
         List<Map<String, Object>> fields =
                 reports.stream().map(ColorReport::fields).toList();
@@ -155,7 +168,8 @@ public final class ColorCommand extends FileCommand {
         text.put("Patch", patches.stream().map(Patch::source).collect(Collectors.joining("; ")));
         settings.forEach((key, value) ->
                 text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
-        write(files, tree, ColorReport.csv(reports), sheet.draw(), text);
+        StreamContent csv = panel == ColorSheet.Panel.SPECTRUM ? sheet.spectraCsv() : ColorReport.csv(reports);
+        write(files, tree, csv, sheet.draw(), page.width(), text);
         return (reports.stream().allMatch(ColorReport::colored) ? judged : ExitCode.TOLERANCE_MISSED).code();
     }
 

@@ -1,17 +1,21 @@
 package sunbeam.app.cli;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.app.cli.ColorReport.ViewColor;
+import sunbeam.app.files.output.AtomicFile.StreamContent;
+import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.PlotStyle;
@@ -24,13 +28,13 @@ import sunbeam.precompute.units.Lengths;
 
 /** Picture of the result: two strips of colors for each surface, a chart of chromaticities and one of spectra. */
 final class ColorSheet {
-    private static final int WIDTH = Drawing.COLUMN;
     private static final int LEFT = 210;
     private static final int RIGHT = 40;
     private static final int STRIP = 84;
     private static final int GAP = 14;
     private static final int LABELS = 52;
-    private static final int PLOT_HEIGHT = 680;
+    // Height of a plot relative to its width.
+    private static final double RATIO = 1.02;
     /** Largest width of a surface's name, pixels: some 32 letters. */
     private static final int WIDEST_NAME = 500;
     // Sine of the largest azimuth between the light and a strip's plane at which the light is marked in the strip.
@@ -44,10 +48,26 @@ final class ColorSheet {
     private final List<String> names;
     private final Map<String, Object> settings;
     private final CieTable cie;
+    private final int width;
+    private final Optional<Panel> panel;
     private final double first;
     private final double last;
 
-    ColorSheet(List<ColorReport> reports, Map<String, Object> settings, CieTable cie) {
+    /** Parts of the picture. */
+    enum Panel {
+        STRIPS,
+        CHROMATICITY,
+        SPECTRUM
+    }
+
+    /**
+     * @param width pixels
+     * @param panel the only panel to draw, if not all
+     */
+    ColorSheet(
+            List<ColorReport> reports, Map<String, Object> settings, CieTable cie, int width, Optional<Panel> panel) {
+        this.width = width;
+        this.panel = panel;
         this.reports = reports;
         this.names = Sheet.fittedNames(
                 reports.stream().map(report -> report.patch().name()).toList(), Sheet.FONT, WIDEST_NAME);
@@ -65,11 +85,41 @@ final class ColorSheet {
 
     /** Returns x, y, width and height of the first surface's strips in the picture, pixels. */
     List<Integer> thumbnail() {
-        return List.of(LEFT, texts(new Sheet(WIDTH), 0).height() + GAP, WIDTH - LEFT - RIGHT, 2 * STRIP + GAP + LABELS);
+        if (panel.isPresent() && panel.get() != Panel.STRIPS) {
+            return List.of(0, 0, width, draw().height());
+        }
+        return List.of(LEFT, texts(new Sheet(width), 0).height() + GAP, width - LEFT - RIGHT, 2 * STRIP + GAP + LABELS);
     }
 
     Drawing draw() {
-        Sheet sheet = new Sheet(WIDTH);
+        return panel.map(drawn -> switch (drawn) {
+                    case STRIPS -> strips().draw();
+                    case CHROMATICITY -> chromaticities();
+                    case SPECTRUM -> spectra();
+                })
+                .orElseGet(() -> strips().row(chromaticities(), spectra())
+                        .text(caption(), Sheet.FONT)
+                        .text("angles of the view to the normal, positive towards the azimuth", Sheet.FONT)
+                        .draw());
+    }
+
+    /** Returns the spectra that are drawn: a column of relative radiances for each surface. */
+    StreamContent spectraCsv() {
+        List<String> columns = new ArrayList<>(List.of("wavelength_nm"));
+        IntStream.rangeClosed(1, reports.size()).forEach(number -> columns.add("radiance_" + number));
+        double[] nanometers = ColorReport.Spectrum.nanometers();
+        return CsvWriter.numbers(
+                columns,
+                nanometers.length,
+                i -> DoubleStream.concat(
+                                DoubleStream.of(nanometers[i]),
+                                reports.stream()
+                                        .mapToDouble(report -> report.spectrum().radiances()[i]))
+                        .toArray());
+    }
+
+    private Sheet strips() {
+        Sheet sheet = new Sheet(width);
         for (int i = 0; i < reports.size(); i++) {
             ColorReport report = reports.get(i);
             Color mark = PlotStyle.color(i);
@@ -78,10 +128,11 @@ final class ColorSheet {
                 sheet.part(GAP + STRIP + LABELS, graphics -> strip(graphics, report, along, mark));
             }
         }
-        return sheet.row(chromaticities(), spectra())
-                .text(caption(), Sheet.FONT)
-                .text("angles of the view to the normal, positive towards the azimuth", Sheet.FONT)
-                .draw();
+        return sheet;
+    }
+
+    private int plotWidth() {
+        return panel.isPresent() ? width : new Sheet(width).plotWidth();
     }
 
     static String title(ColorReport report) {
@@ -110,7 +161,7 @@ final class ColorSheet {
 
     private int x(double degrees) {
         double inside = Math.max(first, Math.min(last, degrees));
-        return LEFT + (int) Math.round((inside - first) * (WIDTH - LEFT - RIGHT) / (last - first));
+        return LEFT + (int) Math.round((inside - first) * (width - LEFT - RIGHT) / (last - first));
     }
 
     private double angleOf(int number) {
@@ -124,21 +175,21 @@ final class ColorSheet {
         int middle = GAP + STRIP / 2;
         graphics.setColor(mark);
         graphics.fillRect(LEFT - 22, GAP, 14, STRIP);
-        double width = angleOf(1) - first;
+        double step = angleOf(1) - first;
         for (ViewColor color : colors) {
-            int from = x(color.view().thetaRDegrees() - width / 2);
-            int to = x(color.view().thetaRDegrees() + width / 2);
+            int from = x(color.view().thetaRDegrees() - step / 2);
+            int to = x(color.view().thetaRDegrees() + step / 2);
             graphics.setColor(new Color(color.rgb()));
-            graphics.fillRect(from, GAP, to - from, STRIP);
+            // One pixel over the next color, lest a viewer of vectors shows the paper between them.
+            graphics.fillRect(from, GAP, Math.min(to + 1, x(last)) - from, STRIP);
         }
         marks(graphics, report, colors.get(0).view(), middle);
         graphics.setColor(PlotStyle.INK);
         graphics.drawString(colors.get(0).view().strip(), 14, middle - 4);
         graphics.drawString(
                 PlotStyle.typeset("azimuth " + angle(colors.get(0).view().phiDegrees())), 14, middle + 32);
-        graphics.setStroke(new BasicStroke(2));
-        double step = Plot.round(TICKS * (last - first));
-        for (double degrees = Math.ceil(first / step) * step; degrees <= last; degrees += step) {
+        double ticks = Plot.round(TICKS * (last - first));
+        for (double degrees = Math.ceil(first / ticks) * ticks; degrees <= last; degrees += ticks) {
             int x = x(degrees);
             graphics.drawLine(x, GAP + STRIP, x, GAP + STRIP + 8);
             String label = PlotStyle.typeset(angle(degrees));
@@ -190,8 +241,8 @@ final class ColorSheet {
         List<Chromaticity> locus = IntStream.concat(IntStream.rangeClosed(380, 700), IntStream.of(380))
                 .mapToObj(nanometer -> Chromaticity.ofWavelength(cie, nanometer * 1e-9))
                 .toList();
-        Plot plot =
-                Plot.linear("Chromaticity" + ofOne(ViewColor.View::strip), "x (CIE 1931)", "y", WIDTH / 2, PLOT_HEIGHT);
+        Plot plot = Plot.linear("Chromaticity" + ofOne(ViewColor.View::strip), "x (CIE 1931)", "y", plotWidth(), (int)
+                (RATIO * plotWidth()));
         plot.equalScales(TICK).outline("spectral colors", xs(locus), ys(locus));
         for (int i = 0; i < reports.size(); i++) {
             ColorReport report = reports.get(i);
@@ -227,7 +278,7 @@ final class ColorSheet {
     private Drawing spectra() {
         String title = "Radiance" + ofOne(ColorSheet::place);
         String radiance = "share of the maximum";
-        Plot plot = Plot.linear(title, "wavelength / nm", radiance, WIDTH / 2, PLOT_HEIGHT);
+        Plot plot = Plot.linear(title, "wavelength / nm", radiance, plotWidth(), (int) (RATIO * plotWidth()));
         plot.fromZero();
         for (int i = 0; i < reports.size(); i++) {
             ColorReport.Spectrum spectrum = reports.get(i).spectrum();

@@ -13,7 +13,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import sunbeam.app.cli.Meter.Measurement;
-import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Plot.Axis;
 import sunbeam.app.gpu.colors.DiffractionSetup;
@@ -96,10 +95,11 @@ record CostGrowth(DiffractionSetup setup, Environment environment) {
     }
 
     /** Draws time over factor, a line for each series; rows are those of the variants. */
-    static Plot plot(List<Variant> variants, List<Measurement> rows) {
+    static Plot plot(List<Variant> variants, List<Measurement> rows, int width) {
         Axis factor = Axis.logarithmic("factor of the quantity");
         Axis time = Axis.logarithmic("time per pixel / us");
-        Plot plot = new Plot(new Plot.Frame("Time over what it depends on", factor, time, Drawing.COLUMN, 840));
+        Plot plot = new Plot(new Plot.Frame(
+                "Time over what it depends on", factor, time, width, (int) (BenchmarkPage.RATIO * width)));
         Map<String, Measurement> byName =
                 rows.stream().collect(Collectors.toMap(Measurement::method, row -> row, (first, same) -> first));
         variants.stream().map(Variant::series).distinct().forEach(series -> {

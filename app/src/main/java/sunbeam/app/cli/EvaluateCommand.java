@@ -15,6 +15,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.output.FileGroup;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
@@ -81,11 +82,20 @@ public final class EvaluateCommand extends FileCommand {
     @Mixin
     private final MethodOptions methodOptions = MethodOptions.of(POWER);
 
+    @Mixin
+    private PageOptions page;
+
+    @Option(
+            names = "--panel",
+            paramLabel = "NAME",
+            description = "Draw one panel alone, without heading: ${COMPLETION-CANDIDATES}.")
+    private Evaluation.Panel panel;
+
     @Option(
             names = "--output",
             paramLabel = "NAME",
-            description = "Name of the files; an ending .png, .json or .csv is left out, as each file has its"
-                    + " own. Default: PATCH-evaluate.")
+            description = "Name of the files; an ending .json or .csv is left out, as each file has its own; .png, .pdf"
+                    + " or .svg is that of the plot. Default: PATCH-evaluate.")
     private Path output;
 
     @Override
@@ -97,6 +107,7 @@ public final class EvaluateCommand extends FileCommand {
 
     private int evaluate(Choices asked) {
         grating.check();
+        page.width();
         Methods.of(asked);
         if (!Arrays.asList(POWER).contains(asked.get(Methods.METHOD))) {
             throw DiffractionSetup.withoutPower();
@@ -130,7 +141,8 @@ public final class EvaluateCommand extends FileCommand {
                 Evaluation.of(patch, period, order, power.toRelativeRadiance(gain), area.window(), grating.peaks());
         evaluation.lines(area.average(), methodOptions.explains()).forEach(out::println);
         Map<String, Object> report = report(evaluation, choices, plan);
-        write(files, report, evaluation.csv(), evaluation.plot(title(choices)), text(evaluation, report));
+        Drawing plot = evaluation.plot(title(choices), page.pixels(), panel != null);
+        write(files, report, evaluation.csv(), plot, page.width(), text(evaluation, report));
         return period.isSeen() ? doubt(List.of(patch)).code() : ExitCode.UNUSABLE_INPUT.code();
     }
 

@@ -46,8 +46,8 @@ record Evaluation(
         Peaks peaks,
         Optional<Ridge> ridge,
         Optional<String> noRidge) {
-    private static final int WIDTH = Drawing.COLUMN;
-    private static final int HEIGHT = 960;
+    // Height of the plot relative to its width.
+    private static final double RATIO = 0.72;
     // Lowest response of the color scale relative to the highest.
     private static final double SPAN = 1e-4;
     private static final String ANGLE = "angle to the viewer / degrees";
@@ -63,6 +63,11 @@ record Evaluation(
     private static final int RIDGE_DIGITS = 5;
     private static final double NANOMETERS = 1e9;
     private static final double DEGREE_PARTS = 1e9;
+
+    /** Parts of the picture. */
+    enum Panel {
+        RESPONSE
+    }
 
     static Evaluation of(
             Patch patch,
@@ -192,22 +197,26 @@ record Evaluation(
     }
 
     /** Plot as in the thesis's figures 4.9 to 4.11: the response, its peaks, and curves of the grating equation. */
-    Drawing plot(String method) {
-        return new Sheet(WIDTH)
+    Drawing plot(String method, int width, boolean alone) {
+        Drawing picture = picture(method + "; " + light(), width, (int) (RATIO * width));
+        if (alone) {
+            return picture;
+        }
+        return new Sheet(width)
                 .heading(patch.name() + ": "
                         + verdict(patch, period, response.grid().plane()).sentence())
-                .row(picture(method + "; " + light()))
+                .row(picture)
                 .draw();
     }
 
-    private Drawing picture(String title) {
+    private Drawing picture(String title, int width, int height) {
         ResponseGrid grid = response.grid();
         double[][] values = response.values();
         double[] wavelengths = map(grid.wavelengths(), meters -> meters * NANOMETERS);
         double[] angles = map(grid.angles(), Math::toDegrees);
         if (wavelengths.length == 1) {
             String lit = Text.format("%s, %.4g nm", title, wavelengths[0]);
-            return Plot.linear(lit, ANGLE, "relative radiance", WIDTH, HEIGHT)
+            return Plot.linear(lit, ANGLE, "relative radiance", width, height)
                     .line("response", angles, values[0])
                     .draw();
         }
@@ -220,7 +229,7 @@ record Evaluation(
         HeatMap.Colors colors =
                 new HeatMap.Colors("relative radiance", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS);
         HeatMap map = new HeatMap(
-                new HeatMap.Frame(title, "wavelength / nm", ANGLE, WIDTH, HEIGHT, false),
+                new HeatMap.Frame(title, "wavelength / nm", ANGLE, width, height, false),
                 new HeatMap.Values(rows, x, y, colors, HeatMap.Reduction.LARGEST));
         if (period.isSure()) {
             boolean towardsNormal = !Double.isNaN(grid.plane().thetaR(-grid.wavelengths()[0] / period.period()));

@@ -7,15 +7,17 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.AtomicFile.StreamContent;
+import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.plot.Drawing;
+import sunbeam.app.files.plot.PictureFile;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.precompute.patch.Patch;
@@ -54,19 +56,44 @@ public abstract class FileCommand extends ReportingCommand {
     /** Returns the picture, report and table of a name that the user gave, else of the chosen one, as {@link #writable} does. */
     protected final FileGroup writableGroup(Path named, String chosen) {
         Path name = named != null ? named : Path.of(chosen);
-        FileGroup files = FileGroup.named(name, List.of(".png", ".json", ".csv"), overwrite(named));
+        FileGroup files =
+                FileGroup.named(name, List.of("." + Ending.ofPicture(name), ".json", ".csv"), overwrite(named));
         files.checkWritable();
         return files;
     }
 
     /** Writes a report as table, JSON and picture, whose ending is the group's first, and prints their names or the report. */
     protected final void write(
-            FileGroup files, Map<String, Object> report, StreamContent csv, Drawing picture, Map<String, String> text) {
+            FileGroup files,
+            Map<String, Object> report,
+            StreamContent csv,
+            Drawing picture,
+            double width,
+            Map<String, String> text) {
         Map<String, StreamContent> contents = new LinkedHashMap<>();
         contents.put(".csv", csv);
         contents.put(".json", StreamContent.of(JsonOption.text(json.withCommand(report))));
-        contents.put(files.endings().get(0), stream -> PngWriter.write(stream, picture.rasterize(), text));
+        Path named = Path.of(files.stem() + files.endings().get(0));
+        contents.put(files.endings().get(0), PictureFile.of(named, picture, width, text));
         json.print(out(), report, files.write(contents));
+    }
+
+    /** Writes a picture and, if given, its values beside it with the ending .csv: both or none. Returns their paths. */
+    protected static List<Path> write(
+            Path picture,
+            Overwrite overwrite,
+            Drawing drawing,
+            double width,
+            Map<String, String> text,
+            Optional<StreamContent> csv) {
+        StreamContent content = PictureFile.of(picture, drawing, width, text);
+        if (csv.isEmpty()) {
+            return List.of(AtomicFile.write(picture, overwrite, content));
+        }
+        String ending = "." + Ending.of(picture);
+        Map<String, StreamContent> contents = new LinkedHashMap<>(Map.of(ending, content));
+        contents.put(".csv", csv.get());
+        return FileGroup.named(picture, List.of(ending, ".csv"), overwrite).write(contents);
     }
 
     /** Returns the exit code of a picture that is written though it shows a mirror, of which loading has warned. */

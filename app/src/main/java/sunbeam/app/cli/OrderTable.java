@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import sunbeam.app.files.output.AtomicFile;
@@ -216,7 +217,7 @@ record OrderTable(
                 .flatMap(incidence -> incidence.orders.stream()
                         .flatMap(series -> series.seen.stream().map(seen -> row(incidence.theta, series.order, seen))))
                 .toList();
-        return CsvWriter.numbers(COLUMNS, rows.size(), rows::get);
+        return CsvWriter.numbers(COLUMNS, Set.of("m", "n"), rows.size(), rows::get);
     }
 
     private double[] row(double theta, Order order, Seen seen) {

@@ -47,8 +47,8 @@ import sunbeam.precompute.units.Lengths;
         })
 public final class OrdersCommand extends FileCommand {
     private static final double LARGEST_THETA = 89.9;
-    private static final int PLOT_WIDTH = Drawing.COLUMN;
-    private static final int PLOT_HEIGHT = 800;
+    // Height of a plot relative to its width.
+    private static final double RATIO = 0.6;
     private static final int MOST_PLOTS = 12;
     // Excess of light over a mirror's, relative to it, that rounding does not make.
     private static final double ROUNDING = 1e-6;
@@ -90,12 +90,27 @@ public final class OrdersCommand extends FileCommand {
             description = "Wavelengths in nm, or one, within 380..780. Default: ${DEFAULT-VALUE}.")
     private Range wavelengths;
 
+    @Mixin
+    private PageOptions page;
+
+    @Option(
+            names = "--panel",
+            paramLabel = "NAME",
+            description = "Draw one panel alone, without heading, at the first angle of the light:"
+                    + " ${COMPLETION-CANDIDATES}.")
+    private Panel panel;
+
     @Option(
             names = "--output",
             paramLabel = "NAME",
-            description = "Name of the files; an ending .png, .json or .csv is left out, as each file has its"
-                    + " own. Default: PATCH-orders.")
+            description = "Name of the files; an ending .json or .csv is left out, as each file has its own; .png, .pdf"
+                    + " or .svg is that of the plot. Default: PATCH-orders.")
     private Path output;
+
+    /** Parts of the picture. */
+    enum Panel {
+        EFFICIENCY
+    }
 
     @Override
     public Integer call() {
@@ -109,6 +124,7 @@ public final class OrdersCommand extends FileCommand {
         wavelengths.requireWithin("--wavelengths", 380, 780, "nm");
         RefractiveIndex material = index.parse();
         CieTable cie = LightTable.of(choices);
+        page.width();
         // A name that cannot be written is refused before the patch is read.
         if (output != null) {
             writableGroup(output, "");
@@ -127,7 +143,7 @@ public final class OrdersCommand extends FileCommand {
         Map<String, Object> tree = table.tree();
         tree.put("index", index.describe(material));
         Map<String, String> text = Map.of("Title", patch.name() + ", diffraction orders", "Patch", patch.source());
-        write(files, tree, table.csv(), plot(table), text);
+        write(files, tree, table.csv(), plot(table), page.width(), text);
         return doubt(List.of(patch)).code();
     }
 
@@ -173,9 +189,11 @@ public final class OrdersCommand extends FileCommand {
         return new OrderTable(patch, period, verdict, lattice, phi, incidences, cie);
     }
 
-    private static Drawing plot(OrderTable table) {
-        Sheet sheet = new Sheet(PLOT_WIDTH)
-                .heading(table.patch().name() + ": " + table.verdict().sentence());
+    private Drawing plot(OrderTable table) {
+        Sheet sheet = new Sheet(page.pixels());
+        if (panel == null) {
+            sheet.heading(table.patch().name() + ": " + table.verdict().sentence());
+        }
         List<Incidence> incidences = table.incidences();
         int angles = incidences.size();
         String azimuth = ", azimuth of the light " + OrderTable.written(table.phi()) + " degrees";
@@ -189,7 +207,7 @@ public final class OrdersCommand extends FileCommand {
             return sheet.row(plot(title, axis, theta, lights, OrderTable.series(lights)))
                     .draw();
         }
-        for (int i = 0; i < angles; i += (angles + MOST_PLOTS - 1) / MOST_PLOTS) {
+        for (int i = 0; i < (panel == null ? angles : 1); i += (angles + MOST_PLOTS - 1) / MOST_PLOTS) {
             Incidence one = incidences.get(i);
             String title = "light at " + OrderTable.written(one.theta()) + " degrees" + azimuth;
             sheet.row(plot(title, "wavelength / nm", light -> 1e9 * light.wavelength(), one.lights(), one.orders()));
@@ -197,9 +215,10 @@ public final class OrdersCommand extends FileCommand {
         return sheet.draw();
     }
 
-    private static Drawing plot(
+    private Drawing plot(
             String title, String axis, ToDoubleFunction<OrderLight> x, List<OrderLight> lights, List<Series> orders) {
-        Plot plot = Plot.linear(title, axis, "share of the incident light", PLOT_WIDTH, PLOT_HEIGHT)
+        Plot plot = Plot.linear(
+                        title, axis, "share of the incident light", page.pixels(), (int) (RATIO * page.pixels()))
                 .fromZero();
         for (Series series : OrderTable.shown(orders)) {
             plot.line(

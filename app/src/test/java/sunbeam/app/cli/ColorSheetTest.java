@@ -77,7 +77,7 @@ class ColorSheetTest {
         String told = report.purest().orElseThrow().hex();
         Map<String, Object> settings =
                 Map.of("exposure", EXPOSURE, "index", "1.5", "method", "full", "options", "tolerance 0.001");
-        ColorSheet colors = new ColorSheet(List.of(report), settings, CIE);
+        ColorSheet colors = new ColorSheet(List.of(report), settings, CIE, 1339, Optional.empty());
         BufferedImage sheet = colors.draw().rasterize();
         assertThat(ColorSheet.title(report)).contains("purest (square) " + told + " at -30\u00b0");
         assertThat(report.lines())

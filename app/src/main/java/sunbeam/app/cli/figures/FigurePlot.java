@@ -13,6 +13,7 @@ import sunbeam.app.cli.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.plot.Drawing;
+import sunbeam.app.files.plot.PictureFile;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.Illuminant;
@@ -54,7 +55,10 @@ enum FigurePlot {
             case ERRORS -> errors(results);
         };
         Map<String, String> text = Map.of("Title", drawing.picture().label());
-        plot.write(drawing.file(), Overwrite.REPLACE, text);
+        AtomicFile.write(
+                drawing.file(),
+                Overwrite.REPLACE,
+                PictureFile.of(drawing.file(), plot.draw(), Drawing.STANDARD_WIDTH, text));
         if (!numbers.isEmpty()) {
             String report = JsonOption.text(JsonOption.withCommand("figures", Map.of("numbers", numbers)));
             AtomicFile.write(drawing.beside(".json"), Overwrite.REPLACE, AtomicFile.StreamContent.of(report));

@@ -6,12 +6,13 @@ import java.io.OutputStreamWriter;
 import java.io.StringWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import sunbeam.app.terminal.Messages.HarmlessWriter;
 import sunbeam.precompute.text.Text;
 
@@ -53,16 +54,29 @@ public final class CsvWriter {
 
     /** Returns a table of numbers, row by row from 0. The names have letters, digits, {@code _ . -} and blanks only. */
     public static AtomicFile.StreamContent numbers(List<String> names, int rows, IntFunction<double[]> row) {
+        return numbers(names, Set.of(), rows, row);
+    }
+
+    /** Returns a table of numbers, those of some columns as integers. */
+    public static AtomicFile.StreamContent numbers(
+            List<String> names, Set<String> integers, int rows, IntFunction<double[]> row) {
         return stream -> {
             Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.UTF_8));
             writer.write(String.join(",", names) + "\n");
             for (int number = 0; number < rows; number++) {
-                writer.write(Arrays.stream(row.apply(number))
-                        .mapToObj(
-                                value -> Double.isFinite(value) ? Text.format("%.12e", value) : Double.toString(value))
+                double[] values = row.apply(number);
+                writer.write(IntStream.range(0, values.length)
+                        .mapToObj(column -> cell(values[column], integers.contains(names.get(column))))
                         .collect(Collectors.joining(",", "", "\n")));
             }
             writer.flush();
         };
+    }
+
+    private static String cell(double value, boolean whole) {
+        if (whole) {
+            return Long.toString((long) value);
+        }
+        return Double.isFinite(value) ? Text.format("%.12e", value) : Double.toString(value);
     }
 }

@@ -9,6 +9,7 @@ import sunbeam.app.terminal.UsageException;
 /** Kind of an output file, by the ending of its name. */
 public enum Ending {
     PNG("a PNG picture", "png"),
+    PICTURE("a picture", "png pdf svg"),
     LINEAR("linear colors", "npy exr"),
     NPZ("an archive of NumPy arrays", "npz"),
     BSDF("a measured material", "bsdf"),
@@ -32,6 +33,11 @@ public enum Ending {
         String name = String.valueOf(file.getFileName());
         int dot = name.lastIndexOf('.');
         return dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
+    }
+
+    /** Returns the format of a picture with this name: pdf, svg or png, which is that of every other ending. */
+    public static String ofPicture(Path file) {
+        return PICTURE.isOf(file) ? of(file) : "png";
     }
 
     /** True if the file's name has an ending of this kind. */

@@ -31,13 +31,33 @@ public final class PngWriter {
 
     /** Writes to a stream, which stays open. */
     public static void write(OutputStream stream, BufferedImage image, Map<String, String> text) throws IOException {
+        write(stream, image, text, 0);
+    }
+
+    /** Writes also the resolution (pHYs), unless it is 0. */
+    public static void write(OutputStream stream, BufferedImage image, Map<String, String> text, double pixelsPerMeter)
+            throws IOException {
         ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
         try (MemoryCacheImageOutputStream output = new MemoryCacheImageOutputStream(stream)) {
             IIOMetadata metadata = writer.getDefaultImageMetadata(
                     ImageTypeSpecifier.createFromRenderedImage(image), writer.getDefaultWriteParam());
             Map<String, String> all = new LinkedHashMap<>(Map.of("Software", "Sunbeam " + Environment.version()));
             all.putAll(text);
-            metadata.mergeTree(NATIVE_FORMAT, chunks(all));
+            IIOMetadataNode root = chunks(all);
+            if (pixelsPerMeter > 0) {
+                String resolution = Long.toString(Math.round(pixelsPerMeter));
+                add(
+                        root,
+                        "pHYs",
+                        Map.of(
+                                "pixelsPerUnitXAxis",
+                                resolution,
+                                "pixelsPerUnitYAxis",
+                                resolution,
+                                "unitSpecifier",
+                                "meter"));
+            }
+            metadata.mergeTree(NATIVE_FORMAT, root);
             writer.setOutput(output);
             writer.write(new IIOImage(image, null, metadata));
         } finally {

@@ -4,8 +4,6 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.geom.Line2D;
-import java.nio.file.Path;
-import java.util.Map;
 import java.util.Optional;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
@@ -14,8 +12,6 @@ import org.jfree.chart.plot.DatasetRenderingOrder;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.data.xy.DefaultXYDataset;
-import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.files.output.PngWriter;
 
 /**
  * Plot of lines and points over x, drawn without a display. The axes' labels contain the units ({@code wavelength / nm}); values that are
@@ -74,7 +70,7 @@ public final class Plot {
 
     /** Adds a line in the color of the series with the given number. */
     public Plot line(String name, double[] x, double[] y, int color) {
-        return add(name, x, y, joined(PlotStyle.color(color), PlotStyle.stroke(color)));
+        return add(name, x, y, joined(PlotStyle.color(color), PlotStyle.lineStroke(color)));
     }
 
     public Plot outline(String name, double[] x, double[] y) {
@@ -129,11 +125,6 @@ public final class Plot {
         double width = x.getRange().getLength();
         double height = y.getRange().getLength();
         plot.setInsets(PlotStyle.equalScales(chart, frame.width(), frame.height(), width, height));
-    }
-
-    /** Writes the picture as PNG, whole or not at all; the text is that of {@link PngWriter}. */
-    public Path write(Path target, Overwrite overwrite, Map<String, String> text) {
-        return PngWriter.write(target, overwrite, draw().rasterize(), text);
     }
 
     private Plot add(String name, double[] x, double[] y, XYLineAndShapeRenderer renderer) {

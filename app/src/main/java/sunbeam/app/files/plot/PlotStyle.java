@@ -59,7 +59,7 @@ public final class PlotStyle {
     static final BasicStroke THIN = new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     // Dashes of lines by their number, so that neighbors differ without color: solid, dashed, dash-dot, dotted.
     private static final float[][] DASHES = {{}, {18, 10}, {22, 8, 4, 8}, {4, 9}};
-    private static final BasicStroke OUTLINE_STROKE = new BasicStroke(2);
+    static final BasicStroke OUTLINE_STROKE = new BasicStroke(2);
     private static final Pattern EXPONENT = Pattern.compile("\\^([-0-9n]+)");
     private static final String RAISED = "0123456789-n";
     private static final String SUPERSCRIPTS =
@@ -99,7 +99,7 @@ public final class PlotStyle {
     }
 
     /** Returns the stroke of a line by its number, from 0. */
-    static BasicStroke stroke(int index) {
+    static BasicStroke lineStroke(int index) {
         return stroke(LINE_WIDTH, DASHES[index % DASHES.length]);
     }
 

@@ -108,7 +108,7 @@ public final class Sheet {
         return this;
     }
 
-    /** Adds a part that the caller draws, in ink and {@link #FONT}, with the origin at its upper left corner; the height is in pixels. */
+    /** Adds a part that the caller draws, in ink and {@link #FONT}, with lines of 2 pixels and the origin at its upper left corner; the height is in pixels. */
     public Sheet part(int height, Consumer<Graphics2D> drawing) {
         parts.add(new Part(height, drawing));
         return this;
@@ -124,6 +124,7 @@ public final class Sheet {
             for (Part part : parts) {
                 graphics.setColor(PlotStyle.INK);
                 graphics.setFont(FONT);
+                graphics.setStroke(PlotStyle.OUTLINE_STROKE);
                 new Drawing(width, part.height, part.drawing).drawAt(graphics, 0, y);
                 y += part.height;
             }

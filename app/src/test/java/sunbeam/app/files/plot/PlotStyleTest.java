@@ -56,7 +56,7 @@ final class PlotStyleTest {
             for (int j = 0; j < i; j++) {
                 double[] a = deuteranope(PlotStyle.color(i));
                 double[] b = deuteranope(PlotStyle.color(j));
-                boolean sameStroke = PlotStyle.stroke(i).equals(PlotStyle.stroke(j));
+                boolean sameStroke = PlotStyle.lineStroke(i).equals(PlotStyle.lineStroke(j));
                 // 0.1 of cube roots from 0 to 4 is a just noticeable difference many times over.
                 boolean sameColor = Math.hypot(a[0] - b[0], a[1] - b[1]) < 0.1;
                 assertThat(sameStroke && sameColor).as("%d and %d", i, j).isFalse();

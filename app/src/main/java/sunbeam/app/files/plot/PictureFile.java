@@ -1,0 +1,42 @@
+package sunbeam.app.files.plot;
+
+import java.nio.file.Path;
+import java.util.Map;
+import sunbeam.app.files.output.AtomicFile.StreamContent;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.text.Text;
+
+/** Files of a drawing: a PNG bitmap, or vectors as PDF or SVG, whose bitmaps, such as a map of heights, stay bitmaps. */
+public final class PictureFile {
+    // Largest side of a page of PDF (ISO 32000, annex C), meters.
+    private static final double LARGEST_PAGE = 200 * 0.0254;
+    // Pixels of the largest bitmap: 800 MB of memory.
+    private static final long MOST_PIXELS = 200_000_000;
+
+    private PictureFile() {}
+
+    /**
+     * Returns the content of a file in the format that its ending names.
+     *
+     * @param width printed width, meters
+     * @param text entries by keyword, of 1 to 79 printable ASCII characters each
+     * @throws UsageException if the picture is too high for a page or too large for a bitmap
+     */
+    public static StreamContent of(Path file, Drawing drawing, double width, Map<String, String> text) {
+        double height = width * drawing.height() / drawing.width();
+        String ending = Ending.ofPicture(file);
+        boolean bitmap = ending.equals("png");
+        UsageException.throwIf(
+                bitmap ? (long) drawing.width() * drawing.height() > MOST_PIXELS : height > LARGEST_PAGE,
+                Text.format(
+                        "%s would be %.1f m high, too much for %s; draw fewer surfaces or one --panel",
+                        file, height, bitmap ? "a bitmap" : "a page"));
+        return switch (ending) {
+            case "pdf" -> stream -> PdfFile.write(stream, drawing, width, text);
+            case "svg" -> stream -> SvgFile.write(stream, drawing, width, text);
+            default -> stream -> PngWriter.write(stream, drawing.rasterize(), text, drawing.width() / width);
+        };
+    }
+}
