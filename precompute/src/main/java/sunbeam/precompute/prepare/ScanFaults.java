@@ -24,8 +24,13 @@ public final class ScanFaults {
     private static final int FEWEST = 16;
     // Evenly spaced: the error of their median is a twelfth of their spread.
     private static final int MOST_COLUMNS = 256;
-    // Least jump, in robust deviations of all offsets, and in spreads of the columns.
-    private static final double JUMP_DEVIATIONS = 10;
+    // Least jump, in robust deviations of all steps (which are sqrt(1.5) as large as those of random offsets), and in
+    // spreads of the columns.
+    private static final double JUMP_DEVIATIONS = 8;
+    // Ratio of a jump to the edges of the surface's own lines.
+    private static final double STANDS_OUT = 2;
+    // Difference between the offsets before and after a jump, relative to it; larger at a corner of the surface.
+    private static final double LARGEST_BEND = 0.5;
     private static final double JUMP_SPREADS = 4;
     // Relative to the spread in other rows.
     private static final double LARGEST_JUMP_SPREAD = 3;
@@ -45,14 +50,28 @@ public final class ScanFaults {
     private final double medianOffset;
     private final double deviation;
 
-    private record Offset(int row, double median, double mean, double spread) {}
+    /** @param step median beyond those of the rows before and after, of which lines along the rows have much the same */
+    private record Offset(int row, double median, double mean, double spread, double step, double bend) {
+        double size() {
+            return Math.abs(step);
+        }
+
+        Offset between(Offset before, Offset after) {
+            double neighbors = 0.5 * (before.median + after.median);
+            return new Offset(row, median, mean, spread, median - neighbors, Math.abs(before.median - after.median));
+        }
+    }
 
     private ScanFaults(HeightMap scan, MeasuredRows measured) {
-        this.offsets = IntStream.range(0, scan.rows() - 1)
+        List<Offset> rows = IntStream.range(0, scan.rows() - 1)
                 .parallel()
                 .filter(row -> measured.unmeasured.get(row, row + 2).isEmpty())
                 .mapToObj(row -> offset(scan, row))
                 .filter(offset -> Double.isFinite(offset.median))
+                .toList();
+        this.offsets = IntStream.range(0, rows.size())
+                .mapToObj(i ->
+                        rows.get(i).between(rows.get(Math.max(0, i - 1)), rows.get(Math.min(i + 1, rows.size() - 1))))
                 .toList();
         this.spread = median(offsets.stream().mapToDouble(Offset::spread));
         this.medianOffset = median(offsets.stream().mapToDouble(Offset::median));
@@ -88,7 +107,7 @@ public final class ScanFaults {
         double median = median(Arrays.stream(differences));
         double spread =
                 Spikes.GAUSSIAN * median(Arrays.stream(differences).map(difference -> Math.abs(difference - median)));
-        return new Offset(row, median, Arrays.stream(differences).average().orElse(Double.NaN), spread);
+        return new Offset(row, median, Arrays.stream(differences).average().orElse(Double.NaN), spread, 0, 0);
     }
 
     private static double median(DoubleStream values) {
@@ -106,11 +125,11 @@ public final class ScanFaults {
             Offset jump = jumps.get(0);
             faults.add(leveled("rows " + (place.firstRow() + jump.row + 2) + " to "
                     + (place.firstRow() + jumps.get(1).row + 1) + rows + " lie "
-                    + Lengths.rounded(Math.abs(jump.median), 2) + (jump.median > 0 ? " higher" : " lower")
+                    + Lengths.rounded(jump.size(), 2) + (jump.step > 0 ? " higher" : " lower")
                     + " than the others, all columns alike: the scanner, or a ridge along the rows"));
         } else {
             for (Offset jump : jumps) {
-                String height = Lengths.rounded(Math.abs(jump.median), 2);
+                String height = Lengths.rounded(jump.size(), 2);
                 int above = place.firstRow() + jump.row + 1;
                 faults.add(leveled(
                         "all heights jump by " + height + " between rows " + above + " and " + (above + 1) + rows));
@@ -132,17 +151,31 @@ public final class ScanFaults {
 
     /** None if there are too many, or several jumps up and down by the same amount, as at ridges along the rows. */
     private List<Offset> jumps() {
-        double least = Math.max(JUMP_DEVIATIONS * deviation, JUMP_SPREADS * spread);
-        List<Offset> steep = offsets.stream()
-                .filter(offset -> Math.abs(offset.median - medianOffset) > least)
+        double usual = Spikes.GAUSSIAN * median(offsets.stream().mapToDouble(Offset::size));
+        List<Offset> highest = IntStream.range(0, offsets.size())
+                .filter(i -> IntStream.of(i - 1, i + 1)
+                        .filter(other -> other >= 0 && other < offsets.size())
+                        .allMatch(other ->
+                                offsets.get(other).size() <= offsets.get(i).size()))
+                .mapToObj(offsets::get)
+                .filter(offset -> offset.bend <= LARGEST_BEND * offset.size())
+                .sorted(Comparator.comparingDouble(offset -> -offset.size()))
+                .toList();
+        double others = highest.size() > MOST_JUMPS ? highest.get(MOST_JUMPS).size() : 0;
+        double least = DoubleStream.of(JUMP_DEVIATIONS * usual, JUMP_SPREADS * spread, STANDS_OUT * others)
+                .max()
+                .orElseThrow();
+        List<Offset> steep = highest.stream()
+                .filter(offset -> offset.size() > least)
+                .sorted(Comparator.comparingInt(Offset::row))
                 .toList();
         List<Offset> together = steep.stream()
                 .filter(offset -> offset.spread <= LARGEST_JUMP_SPREAD * spread)
-                .filter(offset -> Math.abs(offset.mean - offset.median) <= ALIKE * Math.abs(offset.median))
+                .filter(offset -> Math.abs(offset.mean - offset.median) <= ALIKE * offset.size())
                 .toList();
         boolean returns = together.stream().anyMatch(jump -> steep.stream().anyMatch(other -> isReturn(jump, other)));
         boolean block = steep.size() == 2 && isBlock(together);
-        return (returns && !block) || together.size() > MOST_JUMPS ? List.of() : together;
+        return returns && !block ? List.of() : together;
     }
 
     private boolean isBlock(List<Offset> jumps) {
@@ -150,7 +183,7 @@ public final class ScanFaults {
     }
 
     private boolean isReturn(Offset jump, Offset other) {
-        return Math.abs(jump.median + other.median - 2 * medianOffset) <= ALIKE * Math.abs(jump.median - medianOffset);
+        return Math.abs(jump.step + other.step) <= ALIKE * jump.size();
     }
 
     private static boolean areIndependent(double[] offsets) {

@@ -235,4 +235,23 @@ class ScanFaultsTest {
         HeightMap few = new HeightMap(3, 2, PITCH, PITCH, new double[6]);
         assertThat(ScanFaults.in(few, Optional.empty())).isEmpty();
     }
+
+    /** Lines along the rows have offsets, too, but change them smoothly; along the columns, a block is relief of the surface. */
+    @ParameterizedTest
+    @ValueSource(doubles = {60e-9, 100e-9, 200e-9})
+    void aBlockOfRowsIsToldBesideLinesAlongTheRows(double shift) {
+        SplittableRandom random = new SplittableRandom(4);
+        double[] lines = heights((x, y) -> 50e-9 * Math.sin(2 * Math.PI * y / 1e-6) + 3e-9 * random.nextGaussian());
+        double[] block = lines.clone();
+        Arrays.setAll(block, i -> lines[i] + (i / COLUMNS >= 40 && i / COLUMNS < 60 ? shift : 0));
+        assertThat(words(block))
+                .singleElement()
+                .asString()
+                .matches("rows 41 to 60 of 96 .* lie .* higher than the others.*");
+        double[] ridge = lines.clone();
+        Arrays.setAll(ridge, i -> lines[i] + (i % COLUMNS >= 40 && i % COLUMNS < 60 ? shift : 0));
+        assertThat(words(ridge)).isEmpty();
+        double[] pure = heights((x, y) -> 50e-9 * Math.sin(2 * Math.PI * y / 1e-6) + (x > 5e-6 ? shift : 0));
+        assertThat(words(pure)).isEmpty();
+    }
 }
