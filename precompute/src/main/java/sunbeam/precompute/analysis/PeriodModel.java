@@ -29,7 +29,7 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
     private static final double BEYOND = 1.3;
     // Share of the wave's power; the wave is not seen in parts that have less.
     private static final double SEEN_IN_PART = 0.25;
-    // WaveSearch.sharpness of a sharp line, and of one of a few equally strong speckles.
+    // LineMeasures.sharpness of a sharp line, and of one of a few equally strong speckles.
     private static final double SHARP = 0.5;
     private static final double AS_STRONG = 0.25;
     private static final int MOST_TILES = 4;
@@ -75,7 +75,8 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
     }
 
     private boolean isOvertone(SpatialFrequency line, SpatialFrequency of) {
-        return IntStream.rangeClosed(2, WaveSearch.OVERTONES).anyMatch(k -> search.isNear(line, of.times(k), 0));
+        return IntStream.rangeClosed(2, LineMeasures.OVERTONES)
+                .anyMatch(k -> search.measures().isNear(line, of.times(k), 0));
     }
 
     private GratingPeriod judged(SpatialFrequency strongest) {
@@ -85,24 +86,24 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
                 .skip(1)
                 .filter(other -> other.sineTo(line) < GratingPeriod.CONE)
                 .toList();
-        double sharpness = search.sharpness(line);
+        double sharpness = search.measures().sharpness(line);
         boolean sharp = sharpness >= SHARP || tiles(line) < 2;
-        SpatialFrequency middle = sharp ? line : search.centroid(line);
+        SpatialFrequency middle = sharp ? line : search.measures().centroid(line);
         boolean lattice = GratingPeriod.vague(lines, 0, 0).isLattice();
         double share = (lattice ? lines : List.of(middle))
-                .stream().mapToDouble(search::share).sum();
+                .stream().mapToDouble(search.measures()::share).sum();
         Evidence evidence = new Evidence(
                 !sharp,
                 middle.periodsIn(scan),
                 middle.samplesIn(scan),
                 Math.min(1, share),
-                search.lineShare(lines),
-                search.contrast(middle),
-                search.ring(middle),
-                search.prominence(line, parallel),
-                search.significance(line),
-                search.unseen(),
-                asked.isStated() ? search.chance() : Double.POSITIVE_INFINITY,
+                search.measures().lineShare(lines),
+                search.measures().contrast(middle),
+                search.measures().ring(middle),
+                search.measures().prominence(line, parallel),
+                search.measures().significance(line),
+                search.measures().unseen(),
+                asked.isStated() ? search.measures().chance() : Double.POSITIVE_INFINITY,
                 0);
         Decision decision = Decision.of(evidence);
         List<SpatialFrequency> waves = new ArrayList<>(lines);
@@ -145,7 +146,7 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
             halves.add(new Crop(0, scan.width(), 0, y));
             halves.add(new Crop(0, scan.width(), y, scan.height()));
         }
-        double least = SEEN_IN_PART * search.top(wave);
+        double least = SEEN_IN_PART * search.measures().top(wave);
         List<Double> parts = new ArrayList<>();
         for (Crop part : halves) {
             near(part.apply(alone), wave, least).ifPresent(found -> parts.add(found.length()));
@@ -176,7 +177,7 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
             double left = width * (i % side);
             int row = i / side;
             Crop tile = new Crop(left, left + width, height * row, height * (row + 1));
-            SpatialFrequency part = new WaveSearch(tile.apply(scan), asked).centroid(wave);
+            SpatialFrequency part = LineMeasures.of(tile.apply(scan), asked).centroid(wave);
             lengths[i] = part.length();
             turns[i] = Math.IEEEremainder(part.azimuth() - wave.azimuth(), Math.PI);
         }
@@ -233,7 +234,7 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
     private static Optional<SpatialFrequency> near(HeightMap part, SpatialFrequency wave, double least) {
         WaveSearch search = new WaveSearch(part, frequency -> frequency.distance(wave) < NEAR * wave.length());
         return search.strongest(frequency -> true)
-                .filter(found -> search.top(found) >= least)
+                .filter(found -> search.measures().top(found) >= least)
                 .map(found -> corrected(Leveling.PLANE.apply(part), found));
     }
 }
