@@ -21,7 +21,12 @@ import sunbeam.precompute.spectrum.Band;
  * @param excluded power of one of each opposite pair of bins that are not accepted, square meters
  */
 record LineMeasures(
-        HeightSpectrum spectrum, Predicate<SpatialFrequency> which, double binX, double binY, double excluded) {
+        HeightMap scan,
+        HeightSpectrum spectrum,
+        Predicate<SpatialFrequency> which,
+        double binX,
+        double binY,
+        double excluded) {
     // In bins of 1 / the scan's side; a Hann window's line reaches 2.
     private static final double LINE = 3;
     // Radius of a broad line as a share of its frequency.
@@ -31,6 +36,8 @@ record LineMeasures(
     private static final double FALSE_ALARMS = 0.01;
     // Along an axis: power in a Hann window's line over that of its peak.
     private static final double HANN_BINS = 1.5;
+    // Bins between a line and the alias that makes it.
+    private static final double NEAR_ALIAS = 1.5;
     // Sectors of 15 degrees in half a turn: rows of a snake's scale stray by 8.
     static final int SECTORS = 12;
     // Frequencies below this share of a wave's are waviness.
@@ -49,7 +56,7 @@ record LineMeasures(
         for (int place = middle + 1; place < power.length; place++) {
             excluded += which.test(spectrum.frequency(place)) ? 0 : power[place];
         }
-        return new LineMeasures(spectrum, which, 1 / scan.width(), 1 / scan.height(), excluded);
+        return new LineMeasures(scan, spectrum, which, 1 / scan.width(), 1 / scan.height(), excluded);
     }
 
     SpatialFrequency refined(int place) {
@@ -71,6 +78,13 @@ record LineMeasures(
 
     boolean isNear(SpatialFrequency frequency, SpatialFrequency line, double share) {
         return distance(frequency, line, share) <= 1 || distance(frequency, line.times(-1), share) <= 1;
+    }
+
+    /** Whether sampling makes a line of a wave of too high a frequency. */
+    boolean isAlias(SpatialFrequency line, SpatialFrequency fine) {
+        SpatialFrequency folded = new SpatialFrequency(
+                Math.IEEEremainder(fine.x(), 1 / scan.pitchX()), Math.IEEEremainder(fine.y(), 1 / scan.pitchY()));
+        return !folded.equals(fine) && line.distance(folded) <= NEAR_ALIAS * Math.max(binX, binY);
     }
 
     /** Power within a line's radius, and the sums of its frequencies times their power. */

@@ -1,7 +1,9 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
+import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
 
 /** Correction of a wave's frequency by the slope of its phase along one direction, and its 95 % interval's half width; cycles per meter. */
@@ -20,6 +22,8 @@ record PhaseSlope(double value, double halfWidth) {
     // their own error.
     private static final double USUAL = 0.01;
     private static final double USUAL_DEGREES = 5;
+    // Ratio of a steady wave's median to its mean.
+    private static final double STEADY = 0.5;
     // Bands of rows of one phase each; a scanner slips within few.
     private static final int BANDS = 48;
     // Periods along a row, which has a Hann window of its own.
@@ -88,6 +92,31 @@ record PhaseSlope(double value, double halfWidth) {
             last -= atStart ? 0 : PER_LENGTH;
         }
         return fitted(windows, first, last, step);
+    }
+
+    /** Whether a wave has its phase and amplitude in most windows along it, not in those of a defect alone. */
+    static boolean isSteady(HeightMap level, SpatialFrequency wave) {
+        double azimuth = Math.atan2(wave.y(), wave.x());
+        double window = WINDOW_PERIODS * wave.period();
+        double length = extent(level, azimuth);
+        int count = Math.max(FEWEST_WINDOWS, (int) (length / window));
+        double step = (length - window) / (count - 1);
+        if (!(step > 0)) {
+            return true;
+        }
+        Windows windows = windows(count, level, wave, azimuth, step, false);
+        double mean = Math.atan2(StatUtils.sum(windows.im()), StatUtils.sum(windows.re()));
+        double fullest = StatUtils.max(windows.filled());
+        double[] inPhase = IntStream.range(0, count)
+                .filter(k -> windows.filled()[k] >= LEAST_FILLED * fullest)
+                .mapToDouble(k ->
+                        (windows.re()[k] * Math.cos(mean) + windows.im()[k] * Math.sin(mean)) / windows.filled()[k])
+                .toArray();
+        double[] sizes = IntStream.range(0, count)
+                .filter(k -> windows.filled()[k] >= LEAST_FILLED * fullest)
+                .mapToDouble(k -> windows.weight(k) / windows.filled()[k])
+                .toArray();
+        return Quantiles.of(inPhase, 0.5) >= STEADY * StatUtils.mean(sizes);
     }
 
     private static double extent(HeightMap level, double azimuth) {

@@ -13,7 +13,8 @@ import sunbeam.precompute.optics.HeightMap;
 /** Search for lines (peaks of waves) in the power spectrum of a piece of a surface. */
 record WaveSearch(HeightMap scan, LineMeasures measures) {
     static final double AS_STRONG = 0.5;
-    private static final double FEWEST_PERIODS = 3;
+    // Of a period that is called sure.
+    private static final double FEWEST_PERIODS = 4;
     // A lattice has lines in three directions, and two sums or differences of these.
     private static final int MOST_LINES = 5;
     private static final int MOST_DIRECTIONS = 3;
@@ -32,6 +33,11 @@ record WaveSearch(HeightMap scan, LineMeasures measures) {
     private static final double FEWEST_OF_FAINT = 6;
     // Power: a twentieth of the amplitude. Leveling and windows leave less of a pure wave between its orders.
     private static final double FAINTEST_FUNDAMENTAL = 0.0025;
+    // Power of the k-th overtone of narrow lines (a sixth of the period), times k^2, relative to the first's. Beyond
+    // the
+    // 40th it is below that of the faintest fundamental.
+    private static final double SHARPEST = 4;
+    private static final int HIGHEST_ALIAS = 40;
     // Random surfaces with a ring as spectrum reach 7, gratings and lattices 11 and more.
     static final double LEAST_CONTRAST = 10;
     // Prominence of gratings; noise along one axis reaches 23.
@@ -116,11 +122,13 @@ record WaveSearch(HeightMap scan, LineMeasures measures) {
         if (!isPeak(line) || power < FAINTEST_FUNDAMENTAL || (isFaint && periods < FEWEST_OF_FAINT)) {
             return false;
         }
-        if (power >= LEAST_FUNDAMENTAL && measures.contrast(line) >= LEAST_CONTRAST) {
-            return true;
-        }
-        return measures.significance(line) >= SIGNIFICANT
-                && measures.prominence(line, others) >= (isFaint ? FAINT_PROMINENT : PROMINENT);
+        boolean isAlias = IntStream.rangeClosed(2, HIGHEST_ALIAS)
+                .anyMatch(k -> power * k * k <= SHARPEST && measures.isAlias(line, wave.times(k)));
+        boolean isStrong = power >= LEAST_FUNDAMENTAL && measures.contrast(line) >= LEAST_CONTRAST;
+        boolean isSeen = isStrong
+                || (measures.significance(line) >= SIGNIFICANT
+                        && measures.prominence(line, others) >= (isFaint ? FAINT_PROMINENT : PROMINENT));
+        return isSeen && !isAlias && PhaseSlope.isSteady(scan, line);
     }
 
     private boolean isPeak(SpatialFrequency wave) {

@@ -103,6 +103,19 @@ class VerdictTest {
                 Arguments.of(
                         "A grating of 2\\.(39|40).* across 0 degrees, overlaid by lines of about 1\\.2 um across 0 degrees:.*",
                         piece((x, y) -> sine(x, 1.2e-6) + 0.1 * sine(x, 2.4e-6))),
+                // Eleven and a half samples a period: sampling makes a wave of twice the period of the 11th overtone.
+                Arguments.of(
+                        "A grating of (0\\.99|1\\.00).*\\) across 0 degrees:.*",
+                        piece(Surfaces.of(256, 256, 1e-6 / 11.5, (x, y) -> Math.signum(sine(x, 1e-6)) * 5e-8))),
+                // A block of rows, little higher than the lines, is no longer period.
+                Arguments.of(
+                        "A grating of (0\\.99|1\\.00).*\\) across 90 degrees:.*",
+                        piece(Surfaces.sampled(
+                                256,
+                                256,
+                                20e-6 / 256,
+                                (column, row) -> Math.signum(sine(20e-6 / 256 * (row + 0.3), 1e-6)) * 5e-8
+                                        + (row >= 100 && row < 130 ? 1e-7 : 0)))),
                 // Too few samples, or too small a field, to see lines three times.
                 Arguments.of(
                         "Too little to judge: 7 x 4 samples.*",
