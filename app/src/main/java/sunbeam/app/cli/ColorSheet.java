@@ -28,7 +28,7 @@ import sunbeam.precompute.units.Lengths;
 
 /** Picture of the result: two strips of colors for each surface, a chart of chromaticities and one of spectra. */
 final class ColorSheet {
-    private static final int LEFT = 210;
+    private static final int LEFT = 250;
     private static final int RIGHT = 40;
     private static final int STRIP = 84;
     private static final int GAP = 14;
@@ -203,8 +203,8 @@ final class ColorSheet {
         double aside = Math.toRadians(strip.phiIDegrees() - strip.phiDegrees());
         if (theta == 0 || Math.abs(Math.sin(aside)) < IN_PLANE) {
             double light = Math.copySign(theta, Math.cos(aside));
-            mark(graphics, new Ellipse2D.Double(x(-light) - 8, y - 8, 16, 16), Color.WHITE);
-            mark(graphics, new Ellipse2D.Double(x(light) - 4, y - 4, 8, 8), LIGHT);
+            mark(graphics, new Ellipse2D.Double(x(-light) - 10, y - 10, 20, 20), Color.WHITE);
+            mark(graphics, new Ellipse2D.Double(x(light) - 6, y - 6, 12, 12), LIGHT);
         }
         report.purest().filter(color -> color.view().along() == strip.along()).ifPresent(color -> {
             int x = x(color.view().thetaRDegrees());

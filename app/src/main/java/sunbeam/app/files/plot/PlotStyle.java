@@ -3,6 +3,7 @@ package sunbeam.app.files.plot;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
@@ -23,6 +24,7 @@ import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.NumberTickUnit;
+import org.jfree.chart.axis.TickUnit;
 import org.jfree.chart.axis.TickUnits;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.block.BlockBorder;
@@ -125,7 +127,7 @@ public final class PlotStyle {
     }
 
     static ValueAxis horizontal(Plot.Axis description) {
-        return axis(description, new RectangleInsets(4, 5, 2, 5));
+        return axis(description, new RectangleInsets(4, 10, 2, 10));
     }
 
     static ValueAxis upright(Plot.Axis description) {
@@ -135,7 +137,7 @@ public final class PlotStyle {
     private static ValueAxis axis(Plot.Axis description, RectangleInsets labelMargins) {
         ValueAxis axis;
         if (description.scale() == Plot.Scale.LINEAR) {
-            NumberAxis linear = new NumberAxis(typeset(description.label()));
+            NumberAxis linear = new LinearAxis(typeset(description.label()));
             linear.setAutoRangeIncludesZero(false);
             linear.setAutoRangeStickyZero(false);
             linear.setNumberFormatOverride(NUMBERS);
@@ -156,6 +158,31 @@ public final class PlotStyle {
         axis.setTickMarkOutsideLength(8);
         axis.setAxisLineVisible(false);
         return axis;
+    }
+
+    /** Axis whose labels are as far apart as their own widths demand; JFreeChart measures those of the range's ends, which have more digits. */
+    private static final class LinearAxis extends NumberAxis {
+        private static final long serialVersionUID = 1;
+
+        LinearAxis(String label) {
+            super(label);
+        }
+
+        @Override
+        protected double estimateMaximumTickLabelWidth(Graphics2D graphics, TickUnit unit) {
+            double step = unit.getSize();
+            double widest = DoubleStream.of(
+                            step, Math.ceil(getLowerBound() / step) * step, Math.floor(getUpperBound() / step) * step)
+                    .mapToObj(NUMBERS::format)
+                    .mapToDouble(label -> graphics.getFontMetrics(getTickLabelFont())
+                            .getStringBounds(label, graphics)
+                            .getWidth())
+                    .max()
+                    .orElseThrow();
+            return widest
+                    + getTickLabelInsets().getLeft()
+                    + getTickLabelInsets().getRight();
+        }
     }
 
     /** Gives logarithmic axes labels that suit the range of the data, and a short range more of them. */
