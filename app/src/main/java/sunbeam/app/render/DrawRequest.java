@@ -86,6 +86,20 @@ public record DrawRequest(
         return chosen.isEmpty() || chosen.get().get(y / samples * (tile.width() / samples) + x / samples);
     }
 
+    /** True if a sample of a piece of the tile is drawn. */
+    boolean draws(SceneBlocks.Piece piece) {
+        int columns = tile.width() / samples;
+        int left = piece.x() / samples;
+        int right = left + SceneBlocks.ceilDiv(piece.inBlock().width(), samples);
+        int top = piece.y() / samples;
+        return chosen.isEmpty()
+                || IntStream.range(
+                                top, top + SceneBlocks.ceilDiv(piece.inBlock().height(), samples))
+                        .map(row -> row * columns)
+                        .anyMatch(row -> chosen.get().nextSetBit(row + left) - row >= left
+                                && chosen.get().nextSetBit(row + left) - row < right);
+    }
+
     int columns(Tile part) {
         return SceneBlocks.ceilDiv(part.width(), across);
     }

@@ -67,16 +67,20 @@ public record PartSum(List<SceneSession> sessions) {
         return ScenePicture.joined(looks);
     }
 
-    /** Draws a tile of pixels. With adaptive samples, pixels whose first samples differ are drawn again with all samples. */
+    /**
+     * Draws a tile of pixels. With adaptive samples, pixels whose means are unsure are drawn again with each refinement.
+     */
     public PixelPicture draw(Scene scene, int width, int height, Tile tile, PixelSamples samples, double exposure) {
         int side = samples.side();
         var pixels = new PixelPicture(
                 tile.width(), tile.height(), scene.display(exposure), scene.get(SceneSettings.BACKGROUND));
         ScenePicture first = draw(DrawRequest.first(scene, width, height, tile, samples));
-        BitSet differing = pixels.setAll(first, samples.firstAcross(), side);
-        if (samples.isAdaptive() && !differing.isEmpty()) {
-            DrawRequest all = DrawRequest.ofPixels(scene, width, height, tile, side);
-            pixels.set(differing, draw(all.only(differing)), side, side);
+        BitSet unsure = pixels.setAll(first, samples.firstAcross(), side);
+        for (int finer : samples.refinements()) {
+            if (!unsure.isEmpty()) {
+                DrawRequest all = DrawRequest.ofPixels(scene, width, height, tile, finer);
+                unsure = pixels.set(unsure, draw(all.only(unsure)), finer, finer);
+            }
         }
         return pixels;
     }

@@ -14,9 +14,10 @@ import sunbeam.precompute.text.Text;
 public final class PixelPicture {
     private static final int CHANNELS = 4;
 
-    // Visible difference of two samples in a channel: square root of display light, 0 to 1. Half as
-    // much changes pictures by a color difference of 0.02 in the mean.
-    private static final double LEAST_DIFFERENCE = 0.12;
+    // Standard error of the mean root of a channel's display light, as of random samples: least, about 1 in lightness,
+    // and share of the root, 4 % of the light. Samples at regular places err by about half as much, 2 %.
+    private static final double UNSURE = 0.01;
+    private static final double UNSURE_SHARE = 0.02;
 
     private final ScenePicture light;
     private final BufferedImage image;
@@ -60,20 +61,18 @@ public final class PixelPicture {
      *
      * @param pixels indices, row by row
      * @param samples samples of all pixels, {@code across x down} for each
-     * @return those of these pixels whose samples differ visibly
+     * @return those of these pixels whose means are unsure
      */
     BitSet set(BitSet pixels, ScenePicture samples, int across, int down) {
-        boolean[] differ = new boolean[light.width() * light.height()];
+        boolean[] unsure = new boolean[light.width() * light.height()];
         IntStream.range(0, light.height()).parallel().forEach(row -> {
             Mean mean = new Mean(samples);
             int end = (row + 1) * light.width();
             for (int i = pixels.nextSetBit(end - light.width()); i >= 0 && i < end; i = pixels.nextSetBit(i + 1)) {
-                differ[i] = mean.set(i, across, down);
+                unsure[i] = mean.set(i, across, down);
             }
         });
-        BitSet differing = new BitSet(differ.length);
-        IntStream.range(0, differ.length).filter(i -> differ[i]).forEach(differing::set);
-        return differing;
+        return IntStream.range(0, unsure.length).filter(i -> unsure[i]).collect(BitSet::new, BitSet::set, BitSet::or);
     }
 
     /** Not thread-safe. */
@@ -82,19 +81,17 @@ public final class PixelPicture {
         private final ScenePicture samples;
         private final double[] sample = new double[CHANNELS - 1];
         private final double[] sum = new double[CHANNELS - 1];
-        private final double[] least = new double[CHANNELS - 1];
-        private final double[] most = new double[CHANNELS - 1];
+        private final double[] roots = new double[CHANNELS - 1];
         private int last = -1;
 
         Mean(ScenePicture samples) {
             this.samples = samples;
         }
 
-        /** True if the samples differ visibly. */
+        /** True if the mean is unsure. */
         boolean set(int pixel, int across, int down) {
             Arrays.fill(sum, 0);
-            Arrays.fill(least, 1);
-            Arrays.fill(most, 0);
+            Arrays.fill(roots, 0);
             int corner = pixel / light.width() * down * samples.width() + pixel % light.width() * across;
             for (int y = 0; y < down; y++) {
                 for (int x = 0; x < across; x++) {
@@ -102,13 +99,16 @@ public final class PixelPicture {
                 }
             }
             light.setMean(pixel, samples, corner, across, down);
-            boolean differ = false;
+            int count = across * down;
+            boolean isUnsure = false;
             for (int c = 0; c < sum.length; c++) {
-                sum[c] /= across * down;
-                differ |= Math.sqrt(most[c]) - Math.sqrt(least[c]) > LEAST_DIFFERENCE;
+                sum[c] /= count;
+                double root = roots[c] / count;
+                double most = Math.max(UNSURE, UNSURE_SHARE * root);
+                isUnsure |= sum[c] - root * root > most * most * count;
             }
             rgb[pixel] = DisplayTransform.packed(sum);
-            return differ;
+            return isUnsure;
         }
 
         private void add(int from) {
@@ -125,8 +125,7 @@ public final class PixelPicture {
             }
             for (int c = 0; c < sum.length; c++) {
                 sum[c] += sample[c];
-                least[c] = Math.min(least[c], sample[c]);
-                most[c] = Math.max(most[c], sample[c]);
+                roots[c] += Math.sqrt(sample[c]);
             }
         }
     }

@@ -1,16 +1,19 @@
 package sunbeam.app.render;
 
+import java.util.List;
+import java.util.stream.Collectors;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.text.Text;
 
 /**
- * Square of {@code side x side} samples. With adaptive samples a pixel has its <em>first</em> samples, one in each row and column with a
- * larger footprint, or all if these differ visibly, as at rims.
+ * Square of {@code side x side} samples. With adaptive samples a pixel has its <em>first</em> samples, one in each row and column of the
+ * square with a larger footprint. While the mean is unsure, as at rims, squares of more samples follow.
  *
  * @param side from 1 to {@link #MOST}; even if adaptive
+ * @param refinements sides of the squares that follow the first samples, the first {@code side}; empty for uniform samples
  */
-public record PixelSamples(int side, boolean isAdaptive) {
+public record PixelSamples(int side, List<Integer> refinements) {
     public static final int MOST = 8;
 
     // Samples of 2 x 2 per pixel at 1280 x 720. With fewer, the rims of a snake's scales differ visibly from their
@@ -20,7 +23,7 @@ public record PixelSamples(int side, boolean isAdaptive) {
     private static final int LEAST_ADAPTIVE = 4;
 
     public static PixelSamples uniform(int side) {
-        return new PixelSamples(side, false);
+        return new PixelSamples(side, List.of());
     }
 
     /** Method {@code table} has adaptive samples, more in a small picture; methods whose samples are costly have one. */
@@ -29,7 +32,11 @@ public record PixelSamples(int side, boolean isAdaptive) {
             return uniform(1);
         }
         int side = side(width, height);
-        return new PixelSamples(Math.max(LEAST_ADAPTIVE, side + side % 2), true);
+        int even = side + side % 2;
+        // Glints at rims of scales are narrower than a sample of a small picture.
+        return side < LEAST_ADAPTIVE
+                ? new PixelSamples(LEAST_ADAPTIVE, List.of(LEAST_ADAPTIVE))
+                : new PixelSamples(even, List.of(even, 2 * even));
     }
 
     /** In a window samples are uniform: their tiles are known before the picture is drawn. */
@@ -43,14 +50,20 @@ public record PixelSamples(int side, boolean isAdaptive) {
 
     /** Such as "16 samples a pixel (--supersample 4)". */
     public String describe() {
-        int most = side * side;
-        return isAdaptive
-                ? Text.format("%d or, where these differ, %d samples a pixel", side, most)
-                : most == 1 ? "1 sample a pixel" : Text.format("%d samples a pixel (--supersample %d)", most, side);
+        String finer = refinements.stream().map(next -> "" + next * next).collect(Collectors.joining(" or "));
+        return isAdaptive()
+                ? Text.format("%d or, where these differ, %s samples a pixel", side, finer)
+                : side == 1
+                        ? "1 sample a pixel"
+                        : Text.format("%d samples a pixel (--supersample %d)", side * side, side);
+    }
+
+    public boolean isAdaptive() {
+        return !refinements.isEmpty();
     }
 
     int firstAcross() {
-        return isAdaptive ? 1 : side;
+        return isAdaptive() ? 1 : side;
     }
 
     /** Column of the first sample in a row of a pixel's square; no two rows have the same. */

@@ -165,7 +165,8 @@ public final class SceneSession implements AutoCloseable {
         LightTexture inMemory = uploaded.lights(geometry, lights, false);
         Optional<Ground> ground = uploaded.ground(request.scene());
         ScenePicture picture = ScenePicture.empty(request.columns(request.tile()), request.rows(request.tile()));
-        for (SceneBlocks.Piece piece : request.blocks().split(request.tile())) {
+        List<SceneBlocks.Piece> pieces = request.blocks().split(request.tile());
+        for (SceneBlocks.Piece piece : pieces.stream().filter(request::draws).toList()) {
             float[] pixels = shading.shade(part(request, geometry, lights, inMemory, piece));
             ground.ifPresent(below -> below.fillUncovered(pixels, request, geometry, lights, inMemory, piece));
             var drawn = new ScenePicture(request.columns(piece.inBlock()), request.rows(piece.inBlock()), pixels);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import jrtr.Tile;
@@ -29,10 +30,14 @@ import sunbeam.precompute.setting.Choices;
 class PixelSamplesTest extends InAContext {
     /** 480 x 270 had 5 x 5, 16 % fewer in all, and missed its own certificate by a mean CIEDE2000 of 1.1. */
     @ParameterizedTest
-    @CsvSource({"320,240,8", "480,270,6", "640,360,4", "1280,720,4", "3000,2000,4"})
+    @CsvSource({"320,240,8", "480,270,6", "640,360,4", "800,600,4", "1280,720,4", "3000,2000,4"})
     void aSmallPictureHasMoreSamplesAPixel(int width, int height, int side) {
         assertThat(PixelSamples.of(new SceneMethod(Choices.none()), width, height))
-                .isEqualTo(new PixelSamples(side, true));
+                .satisfies(samples -> {
+                    assertThat(samples.side()).isEqualTo(side);
+                    // At most 5120 x 2880 samples, or 4 x 4 a pixel if these are more.
+                    assertThat(samples.refinements()).isEqualTo(width < 800 ? List.of(side, 2 * side) : List.of(side));
+                });
     }
 
     @ParameterizedTest
@@ -118,12 +123,28 @@ class PixelSamplesTest extends InAContext {
     }
 
     @Test
-    void samplesDifferAcrossARim() {
-        BitSet differing = pixels.setAll(rim(), 1, 4);
+    void theMeanAcrossARimIsUnsure() {
+        BitSet unsure = pixels.setAll(rim(), 1, 4);
 
-        assertThat(differing.stream()).containsExactly(1);
+        assertThat(unsure.stream()).containsExactly(1);
         // A mean of two and two samples, within float32.
         assertThat(pixels.light().rgba()[4]).isCloseTo(0.35f, within(1e-6f));
+    }
+
+    /** Roots of light of 0 and 1 have a deviation of sqrt(p (1 - p)), their mean of n a standard error of 1 / sqrt(n) of it. */
+    @ParameterizedTest
+    @CsvSource({"1, 1, true", "0.2, 1, true", "0.02, 1, false", "1, 60, false"})
+    void oneOfSixteenSamplesMakesAMeanUnsureIfItIsBrightEnough(float glint, int copies, boolean isUnsure) {
+        ScenePicture samples = ScenePicture.empty(8 * copies, 4);
+        for (int i = 0; i < 32 * copies; i++) {
+            set(samples, i, i == 1 ? glint : 0, 1);
+        }
+        PixelPicture two = new PixelPicture(2, 1, CLIP, new SceneColor(0));
+
+        BitSet unsure = two.setAll(samples, 4 * copies, 4);
+
+        assertThat(unsure.get(0)).isEqualTo(isUnsure);
+        assertThat(unsure.get(1)).as("black").isFalse();
     }
 
     @Test

@@ -97,7 +97,7 @@ public final class RenderCommand extends FileCommand {
             names = "--supersample",
             paramLabel = "N",
             description = "Each pixel is the mean of N x N samples, 1 to 8. Default by method table: 4 samples, or"
-                    + " where these differ 4 x 4, more in pictures of less than 640 x 360 pixels; 1 by other methods."
+                    + " where these differ 4 x 4, then 8 x 8 up to 640 x 360 pixels, more in smaller pictures; 1 by other methods."
                     + " --certify measures the anti-aliasing.")
     private Integer supersample;
 
