@@ -132,6 +132,27 @@ class LauncherStartTest extends InSandbox {
     }
 
     @Test
+    void optionsWithWhichJavaDoesNotStartAreOneLineOfStandardError() throws Exception {
+        installJava(
+                "jdk",
+                "17.0.1",
+                "echo '#'",
+                "echo '# There is insufficient memory for the Java Runtime Environment to continue.'",
+                "echo '# Native memory allocation (mmap) failed to map 966367641600 bytes.'",
+                "exit 1");
+
+        SunbeamResult result = command("inspect", "blaze", "--json")
+                .with("SUNBEAM_JAVA_OPTIONS", "-Xms900g")
+                .run()
+                .ended(9);
+
+        assertThat(result.stdout()).isEmpty();
+        assertThat(result.stderr())
+                .endsWith("sunbeam: Java does not start with the options of SUNBEAM_JAVA_OPTIONS or JAVA_TOOL_OPTIONS:"
+                        + " There is insufficient memory for the Java Runtime Environment to continue.\n");
+    }
+
+    @Test
     void aWindowWhoseScreenHasGoneEndsInOneLine() throws Exception {
         installJava(
                 "jdk",

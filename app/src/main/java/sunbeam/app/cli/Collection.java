@@ -286,7 +286,7 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
     }
 
     private static boolean failed(JsonNode row) {
-        return !row.has("report");
+        return !row.get("message").textValue().isEmpty();
     }
 
     private void print(PrintWriter out, List<ObjectNode> rows, List<Path> written) {

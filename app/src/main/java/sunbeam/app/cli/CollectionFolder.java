@@ -126,7 +126,7 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
                         && Files.isRegularFile(picture));
     }
 
-    /** Returns the row of a run: of the JSON that the command printed, or, if it failed, of the message why. */
+    /** Returns the row of a run: of the JSON that the command printed, if any, and, if it failed, of the message why. */
     ObjectNode row(Item item, String hash, Outcome outcome) {
         ObjectNode row = JSON.createObjectNode()
                 .put("file", item.patch())
@@ -134,7 +134,7 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
                 .put("message", outcome.isWritten() ? "" : outcome.message())
                 .put("picture", outcome.isWritten() ? picture(item.stem()).toString() : "")
                 .put("parameters", hash);
-        if (outcome.isWritten()) {
+        if (!outcome.out().isBlank()) {
             try {
                 JsonNode tree = JSON.readTree(outcome.out());
                 JsonNode surface = tree.at("/surfaces/0");
@@ -227,7 +227,7 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
                 ? name(file.getParent()) + File.separator + name(file)
                 : name(file);
         JsonNode report = row.path("report");
-        if (report.isMissingNode()) {
+        if (row.path("picture").asText().isEmpty()) {
             return new Thumbnail(Optional.empty(), name, row.get("message").asText());
         }
         Path picture = Path.of(row.get("picture").asText());

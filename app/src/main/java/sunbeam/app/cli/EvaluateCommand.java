@@ -128,7 +128,7 @@ public final class EvaluateCommand extends FileCommand {
         GratingPeriod period = period(patch);
         GratingPlane plane = plane(patch, period);
         out.println(Evaluation.verdict(patch, period, plane).sentence());
-        FirstOrder order = order(patch, period);
+        FirstOrder order = order(patch, period, plane);
         ResponseGrid grid = grating.grid(plane, order, area.window());
         DiffractionSetup setup =
                 new DiffractionSetup(patch, environment(), line -> err().println(Messages.warning(line)));
@@ -161,12 +161,14 @@ public final class EvaluateCommand extends FileCommand {
         return grating.period().map(period -> FirstOrder.around(period, GIVEN_FACTOR));
     }
 
-    private FirstOrder order(Patch patch, GratingPeriod period) {
-        boolean lost = grating.azimuth().isEmpty() && !period.hasWave();
-        InputException.refuseIf(
-                !period.isSeen() && givenOrder().isEmpty(),
-                patch.name() + ": no period is seen; to look for a ridge nevertheless, give "
-                        + (lost ? "--azimuth and --period" : "--period"));
+    /** Without a period, the report is the verdict. */
+    private FirstOrder order(Patch patch, GratingPeriod period, GratingPlane plane) {
+        if (!period.isSeen() && givenOrder().isEmpty()) {
+            boolean lost = grating.azimuth().isEmpty() && !period.hasWave();
+            json.print(out(), JsonOption.fields(patch, period, Evaluation.verdict(patch, period, plane)), List.of());
+            throw new InputException(patch.name() + ": no period is seen; to look for a ridge nevertheless, give "
+                    + (lost ? "--azimuth and --period" : "--period"));
+        }
         double factor = period.isExact() ? EXACT_FACTOR : GROWN_FACTOR;
         return givenOrder().orElseGet(() -> FirstOrder.around(period.period(), factor));
     }

@@ -246,10 +246,16 @@ public final class PatchOptions extends SettingOptions {
             return !BuiltInPatches.names().contains(name) && new File(name).isDirectory();
         }
 
-        /** @throws InputException if a name is neither a built-in patch nor an existing file, or if a folder cannot be read or has no file */
+        /**
+         * Of several names a missing file, with a folder or an ending in its name, counts: its run reports it.
+         *
+         * @throws InputException if another name is neither a built-in patch nor an existing file, or if a folder cannot be read or has no file
+         */
         static List<String> of(List<String> names) {
             names.forEach(name -> InputException.refuseIf(
-                    !BuiltInPatches.names().contains(name) && !new File(name).exists(),
+                    !BuiltInPatches.names().contains(name)
+                            && !new File(name).exists()
+                            && (names.size() == 1 || !name.matches("(?s).*[./\\\\].*")),
                     "'" + name
                             + "' is neither a built-in patch nor an existing file; a name with blanks needs quotes"));
             return names.stream()
@@ -259,11 +265,11 @@ public final class PatchOptions extends SettingOptions {
 
         /**
          * Returns a folder's own files without hidden ones, those that a descriptor of the folder names, and other JSON and Markdown. A link
-         * that leads nowhere counts: its run reports it.
+         * that leads nowhere, or a pipe, counts: its run reports it.
          */
         private static List<String> files(Path folder) {
             try (Stream<Path> listed = Files.list(folder)) {
-                List<Path> files = listed.filter(file -> (Files.isRegularFile(file) || !Files.exists(file))
+                List<Path> files = listed.filter(file -> !Files.isDirectory(file)
                                 && !file.getFileName().toString().matches("(?i)\\..*|.*\\.md")
                                 && json(file).map(tree -> tree.has(HEIGHTS)).orElse(true))
                         .sorted()

@@ -125,6 +125,38 @@ final class CollectionTest extends CommandLineFixture {
         assertThat(err.toString()).hasLineCount(1).contains("a bad one.gwy");
     }
 
+    @Test
+    void aMissingFileOfSeveralAndAPipeAreRows() throws Exception {
+        assertThat(new ProcessBuilder("mkfifo", scans.resolve("a pipe.txt").toString())
+                        .start()
+                        .waitFor())
+                .isZero();
+
+        assertThat(inspect("@scans @missing.gsf")).isEqualTo(4);
+
+        assertThat(column("exit_code")).containsExactly("4", "0", "4");
+        assertThat(column("message").get(0)).contains("a pipe.txt", "it is no regular file");
+        assertThat(column("message").get(2)).contains("missing.gsf", "existing file");
+    }
+
+    /** Six samples of noise have no period that evaluate could measure. */
+    @Test
+    void aSurfaceWithoutPeriodHasInspectsVerdictInEvaluatesTable() throws IOException {
+        double[] noise = {1, -2, 0.5, 3, -1.5, 2.5, -0.3, 0.8};
+        scan("noise.txt", x -> noise[(int) (Math.round(x / 0.25e-6) * 37 % 61 % 8)]);
+        assertThat(inspect("@scans")).isIn(0, 3);
+        List<String> inspected = column("verdict_code");
+
+        assertThat(sunbeam("evaluate @scans --wavelengths 500:600:50 --output @report --force --json"))
+                .isEqualTo(4);
+
+        assertThat(column("exit_code")).containsExactly("0", "4");
+        assertThat(column("message").get(1)).contains("no period is seen");
+        assertThat(column("verdict_code")).isEqualTo(inspected);
+        assertThat(inspected.get(1)).isNotEmpty();
+        assertThat(out.toString()).doesNotContain("failed");
+    }
+
     /** Terabytes outside of the folder would take hours to read; the kernel's files may never end. */
     @Test
     @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)

@@ -84,6 +84,7 @@ final class ReportSchemaTest extends CommandLineFixture {
             Map.entry("color blaze --angles -40:40:8 --output @c.png", new int[] {0, 1}),
             Map.entry("brdf-map blaze --size 33 --certify 2 --tolerance 0.05 --output @m.png", new int[] {0, 0}),
             Map.entry("evaluate blaze --azimuth 0 --wavelengths 500:600:10 --output @e", new int[] {0, 1}),
+            Map.entry("evaluate bumps --output @e", new int[] {4, 0}),
             Map.entry("orders blaze --wavelengths 500:600:50 --output @o", new int[] {0, 1}),
             Map.entry(
                     "reflectance --patch blaze --directions @directions.csv --certify 1 --tolerance 0.05 --output @r.csv",
