@@ -17,6 +17,7 @@ import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
@@ -139,11 +140,12 @@ final class CollectionTest extends CommandLineFixture {
         assertThat(column("message").get(2)).contains("missing.gsf", "existing file");
     }
 
-    /** Six samples of noise have no period that evaluate could measure. */
+    /** Noise has no period that evaluate could measure. */
     @Test
     void aSurfaceWithoutPeriodHasInspectsVerdictInEvaluatesTable() throws IOException {
-        double[] noise = {1, -2, 0.5, 3, -1.5, 2.5, -0.3, 0.8};
-        scan("noise.txt", x -> noise[(int) (Math.round(x / 0.25e-6) * 37 % 61 % 8)]);
+        var noise = new SplittableRandom(3);
+        String header = "# Channel: Height\n# Width: 16 µm\n# Height: 16 µm\n# Value units: nm\n";
+        scan("scans/noise.txt", header, 64, 64, (column, row) -> 20 * noise.nextDouble());
         assertThat(inspect("@scans")).isIn(0, 3);
         List<String> inspected = column("verdict_code");
 

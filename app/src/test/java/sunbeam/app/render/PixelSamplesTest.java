@@ -172,7 +172,7 @@ class PixelSamplesTest extends InAContext {
         uniform vec3 dv;
         layout(location = 0) out vec4 color;
         void main() {
-            Footprint footprint = footprintOf(vec3(0.3, 0.2, -1.1), du, dv, vec3(0.0, 0.0, 1.0), 0.0, 0.0);
+            Footprint footprint = footprintOf(vec3(0.3, 0.2, -1.1), du, dv, vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0), 0.0);
             color = gl_FragCoord.x < 1.0 ? vec4(footprint.center, footprint.level) : vec4(footprint.axis, footprint.taps);
         }
         """;
