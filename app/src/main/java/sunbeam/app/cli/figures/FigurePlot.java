@@ -20,6 +20,8 @@ import sunbeam.precompute.color.Illuminant;
 
 /** Plot that no command draws: of formulas of the thesis, or of the results of a figure's other pictures. */
 enum FigurePlot {
+    @JsonProperty("wavenumber")
+    WAVENUMBER,
     @JsonProperty("color matching")
     COLOR_MATCHING,
     @JsonProperty("sinc")
@@ -48,6 +50,7 @@ enum FigurePlot {
         }
         Map<String, Double> numbers = new LinkedHashMap<>();
         Plot plot = switch (this) {
+            case WAVENUMBER -> wavenumber(numbers);
             case COLOR_MATCHING -> colorMatching(numbers);
             case SINC -> sinc(numbers);
             case SLITS -> slits(numbers);
@@ -63,6 +66,15 @@ enum FigurePlot {
             String report = JsonOption.text(JsonOption.withCommand("figures", Map.of("numbers", numbers)));
             AtomicFile.write(drawing.beside(".json"), Overwrite.REPLACE, AtomicFile.StreamContent.of(report));
         }
+    }
+
+    /** Plots k = 2 pi / lambda of visible light. */
+    private static Plot wavenumber(Map<String, Double> numbers) {
+        double[] nanometers = IntStream.rangeClosed(380, 780).asDoubleStream().toArray();
+        double[] perMicrometer = map(nanometers, nanometer -> 2000 * Math.PI / nanometer);
+        numbers.put("ratio", perMicrometer[0] / perMicrometer[perMicrometer.length - 1]);
+        return Plot.linear("Wavenumber of light", "wavelength / nm", "k / (rad / µm)", WIDTH, HEIGHT)
+                .line("k = 2 pi / lambda", nanometers, perMicrometer);
     }
 
     /** Plots the observer's functions and measures the largest relative error of their integrals in the thesis's steps of 5 nm. */
