@@ -1,6 +1,7 @@
 #version 330 core
 #if SCREEN == 1
-#define SHADOW_TAPS 8
+#define SHADOW_TAPS 4
+#define SHADOW_QUADS
 #else
 #define SHADOW_TAPS 16
 #endif
@@ -62,11 +63,8 @@ vec4 ground() {
     float height = dot(eye - groundMiddle, groundNormal);
     float slant = dot(towards, groundNormal);
     vec3 horizon = LINEAR_SRGB_TO_XYZ * horizonColor;
-    if (height <= 0.0 || slant <= 1e-4) {
-        float glow = height > 0.0 && horizonColor.g > 0.0 ? exp(GLOW * min(slant, 0.0)) : 0.0;
-        return glow * vec4(horizon, 1.0);
-    }
-    vec3 at = eye - height / slant * towards;
+    bool isSky = height <= 0.0 || slant <= 1e-4;
+    vec3 at = eye - height / max(slant, 1e-4) * towards;
     vec2 place = vec2(
             dot(at - groundMiddle, groundAcross) / dot(groundAcross, groundAcross),
             dot(at - groundMiddle, groundAlong) / dot(groundAlong, groundAlong));
@@ -75,7 +73,16 @@ vec4 ground() {
     float fade = 1.0 / (1.0 + 1.6 * beyond * beyond + 0.7 * beyond);
     vec3 direct = vec3(0.0);
     for (int group = 0; group < lightGroups; ++group) {
-        direct += visibility(group, at, groundNormal, gl_FragCoord.xy) * groundLights[group];
+#if SCREEN == 1
+        float visible = quadVisibility(group, at, groundNormal, !isSky);
+#else
+        float visible = isSky ? 1.0 : visibility(group, at, groundNormal, gl_FragCoord.xy);
+#endif
+        direct += visible * groundLights[group];
+    }
+    if (isSky) {
+        float glow = height > 0.0 && horizonColor.g > 0.0 ? exp(GLOW * min(slant, 0.0)) : 0.0;
+        return glow * vec4(horizon, 1.0);
     }
     float grain = 1.0 + 0.06 * noise(9.0 * place) + 0.05 * noise(41.0 * place) + 0.05 * noise(170.0 * place);
     vec3 lit = grain * (ambientWeight * sky * groundAmbient + diffuseWeight * (0.4 + 0.6 * sky) * direct);

@@ -1,5 +1,6 @@
 #version 330 core
 #define SHADOW_TAPS 4
+#define SHADOW_QUADS
 #define SLICE_TAPS 2
 #define TAP_FILTER linearXyz
 #include "jrtr/lights.glsl"
@@ -25,6 +26,11 @@ uniform mat4 targetToWorld;
 // One over the size of the images.
 uniform vec2 perPicture;
 
+// Luminance, relative to the diffracted light's weight, of light that is spread evenly over all directions; it stands in for missing colors.
+uniform float evenLight;
+// Number of levels, or 0 while the coarsest one has gaps.
+uniform float usableLevels;
+
 // Variance of each light's directions along either axis.
 uniform float lightVariances[LIGHTS];
 
@@ -40,15 +46,15 @@ vec3 inside(vec3 change, float coverageChange) {
     return coverageChange == 0.0 ? change : vec3(0.0);
 }
 
-// Color in the finest resident level that is not finer than the footprint's; black if no such level is resident.
+// Color in the finest resident level that is not finer than the footprint's; MISSING if no such level is resident.
 vec3 residentXyz(Footprint footprint) {
-    for (float level = footprint.level; level < float(levels) + pointLevels; level += 1.0) {
+    for (float level = footprint.level; level < usableLevels; level += 1.0) {
         vec3 xyz = levelXyz(footprint, level);
         if (xyz.y != MISSING) {
             return xyz;
         }
     }
-    return vec3(0.0);
+    return vec3(MISSING);
 }
 
 void main() {
@@ -71,12 +77,13 @@ void main() {
         if (wi.z > 0.0 && wr.z > 0.0) {
             ReliefMean mean = reliefMean(wi, wr, tabulatedSlopeVariance + slopeVariance);
             Footprint footprint = footprintOf(mean.uvw, du, dv, wi, lightVariances[light], vec3(0.0), 0.0);
-            diffracted = mean.gain * residentXyz(footprint);
+            vec3 made = usableLevels > 0.0 ? residentXyz(footprint) : vec3(MISSING);
+            diffracted = made.y == MISSING ? evenLight * wi.z * (LINEAR_SRGB_TO_XYZ * vec3(1.0)) : mean.gain * made;
         }
         // Only the first light casts shadows; an environment's are those of the sky.
         float visible = mix(1.0, skin.sky, isEnvironment);
-        if (light == 0 && wi.z > 0.0) {
-            visible *= visibility(0, worldAt(gl_FragCoord.xy), skin.frame[2], gl_FragCoord.xy);
+        if (light == 0) {
+            visible *= quadVisibility(0, worldAt(gl_FragCoord.xy), skin.frame[2], coverage * wi.z > 0.0);
         }
         vec3 xyz = blended(visible * diffracted, albedo, visible * wi.z, NORMAL_REFLECTANCE, ambient);
         sum += LINEAR_SRGB_TO_XYZ * (lightRadiances[light] * (XYZ_TO_LINEAR_SRGB * xyz));

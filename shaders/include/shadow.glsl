@@ -6,7 +6,8 @@
 // Depth of the first surface that the light meets, 0 to 1, in tiles, one for each group.
 uniform sampler2D shadowMap;
 
-// SHADOW_TAPS: texels of the map that are compared; a define, so that compilers unroll the loops.
+// SHADOW_TAPS: texels of the map that are compared; a define, so that compilers unroll the loops. SHADOW_QUADS: defined by
+// shaders that call quadVisibility.
 
 // Depth, as a share of the map's range, by which a shaded surface lies behind the map's at least, so that a surface does not shade itself.
 const float SHADOW_BIAS = 0.002;
@@ -20,11 +21,20 @@ const float SHADOW_EDGE = 0.0016;
 // Taps spread evenly over the unit disc (Vogel 1979): each is turned by the golden angle from the one before.
 const mat2 GOLDEN_TURN = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888);
 
+#ifdef SHADOW_QUADS
+// Direction of the first tap: one of four turns for each fragment of a square of 2 x 2 (quadVisibility).
+vec2 firstOnDisc(vec2 pixel) {
+    vec2 odd = mod(floor(pixel), 2.0);
+    float angle = 1.57079633 * (odd.x + 2.0 * odd.y);
+    return vec2(cos(angle), sin(angle));
+}
+#else
 // Direction of the first tap; it differs from pixel to pixel (Jimenez 2014), which hides banding.
 vec2 firstOnDisc(vec2 pixel) {
     float angle = 6.28318531 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
     return vec2(cos(angle), sin(angle));
 }
+#endif
 
 // Depth at a position of a group's map, 0 to 1 along either side; clamped, since other groups' tiles lie beside it.
 float shadowDepth(vec2 at, vec4 tile) {
@@ -73,3 +83,23 @@ float visibility(int group, vec3 world, vec3 normal, vec2 pixel) {
     }
     return visible;
 }
+
+#ifdef SHADOW_QUADS
+// Sum over the square of 2 x 2 fragments that are shaded together.
+vec2 quadSum(vec2 value) {
+    vec2 toOther = 1.0 - 2.0 * mod(floor(gl_FragCoord.xy), 2.0);
+    vec2 row = 2.0 * value + toOther.x * dFdx(value);
+    return 2.0 * row + toOther.y * dFdy(row);
+}
+
+// Mean visibility of the lit fragments of a square. All squares have the same taps, so that edges of shadows have no grain. To be called by
+// all fragments, with isLit false where no light arrives anyway.
+float quadVisibility(int group, vec3 world, vec3 normal, bool isLit) {
+    vec2 own = vec2(0.0);
+    if (isLit) {
+        own = vec2(visibility(group, world, normal, gl_FragCoord.xy), 1.0);
+    }
+    vec2 sum = quadSum(own);
+    return sum.y > 0.5 ? sum.x / sum.y : 1.0;
+}
+#endif

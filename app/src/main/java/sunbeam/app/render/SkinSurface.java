@@ -47,6 +47,18 @@ final class SkinSurface implements AutoCloseable {
     // Rounds levels up, so that lights of neighboring regions leave no ripples between them.
     private static final float MANY_ROUNDING = 0.85f;
 
+    // Share of the diffracted light that stands in, spread evenly, for missing colors: the median of what built-in
+    // scenes send to their cameras; the rest stays near the mirror's direction.
+    private static final double EVEN_SHARE = 0.2;
+
+    // Relative radiance of a surface that spreads a mirror's light evenly, at 550 nm under sunlight's window:
+    // (wavelength / (2 pi sigma))^2.
+    private static final double EVEN_RADIANCE = Math.pow(
+            550e-9
+                    * CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH)
+                            .sigmaFrequency(),
+            2);
+
     private final RenderContext context;
     private final UploadedTables method;
     // Radiance of a mirror under the coherence window, relative to sunlight; 1 for methods not normalized to a mirror.
@@ -71,7 +83,7 @@ final class SkinSurface implements AutoCloseable {
         double sigma = method.tables().windowSigma();
         this.diffractionScale = data.map(found -> found.scene().method().method())
                 .map(found -> found.isNormalizedToMirror() ? new CoherenceWindow(sigma).mirrorRadiance() : 1)
-                .orElse(0.0);
+                .orElse(1.0);
     }
 
     /** Callers may use the tables in this context until the surface is closed. */
@@ -191,6 +203,11 @@ final class SkinSurface implements AutoCloseable {
         float[] variances = Floats.of(lights.size(), i -> Math.pow(lights.get(i).deviation(), 2));
         moving.set("lightVariances", variances);
         Map<String, Texture> textures = new HashMap<>(method.textures());
+        boolean isEven = scene.method().method().isNormalizedToMirror();
+        moving.set("evenLight", isEven ? (float) (EVEN_SHARE * EVEN_RADIANCE / diffractionScale) : 0);
+        moving.set("usableLevels", (float) texture.filter(tiles -> tiles.coarsestShare() == 1)
+                .map(tiles -> tiles.table().levels().size())
+                .orElse(0));
         texture.ifPresent(tiles -> {
             setFootprints(moving, tiles.table(), scene);
             moving.set("leastLevel", 0f);

@@ -51,12 +51,7 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public BufferedImage body(Scene scene, SceneShape shape, int width, int height) {
-        SceneSession session = own.open(scene, shape);
-        double exposure = exposures.soFar(scene, 0, false);
-        BufferedImage image = session.body(scene, width, height, exposure);
-        return exposures.storeFirst(scene, 0, false, () -> CachedExposure.luminance(image, scene, exposure))
-                ? session.body(scene, width, height, exposures.soFar(scene, 0, false))
-                : image;
+        return own.open(scene, shape).body(scene, width, height, exposures.soFar(scene, 0));
     }
 
     @Override
@@ -162,13 +157,8 @@ public final class GraphicsStage implements Stage {
         if (hasCoarsest()) {
             meter(() -> false);
         }
-        double exposure = exposureSoFar(hasCoarsest());
+        double exposure = exposureSoFar();
         BufferedImage image = current.parts.get(0).moving(state.width(), state.height(), divisor, exposure);
-        if (!hasCoarsest()
-                && exposures.storeFirst(
-                        scene(), state.metering(), false, () -> CachedExposure.luminance(image, scene(), exposure))) {
-            return byTable(divisor);
-        }
         return new Preview(image, divisor, hasCoarsest(), exposure, 0);
     }
 
@@ -182,8 +172,8 @@ public final class GraphicsStage implements Stage {
         return exposures.known(scene(), state.metering()).isPresent();
     }
 
-    private double exposureSoFar(boolean hasColors) {
-        return exposures.soFar(scene(), state.metering(), hasColors);
+    private double exposureSoFar() {
+        return exposures.soFar(scene(), state.metering());
     }
 
     @Override
@@ -197,16 +187,13 @@ public final class GraphicsStage implements Stage {
 
     /** Draws the body in full resolution and the diffracted light from one sample per {@link #stride} columns and rows. */
     private Optional<Preview> coarse(BooleanSupplier interrupted) {
-        double white = 1 / exposureSoFar(true);
+        double white = 1 / exposureSoFar();
         return current.sum()
                 .coarse(scene(), state.width(), state.height(), stride, white, current.tiles, interrupted)
                 .map(picture -> {
                     exposures.storeFirst(
-                            scene(),
-                            state.metering(),
-                            true,
-                            () -> picture.reduced(1).linear());
-                    double exposure = exposureSoFar(true);
+                            scene(), state.metering(), () -> picture.reduced(1).linear());
+                    double exposure = exposureSoFar();
                     double side = samples().side();
                     double seconds = side * side * state.width() * state.height() * current.tiles.secondsPerPixel();
                     BufferedImage image = PixelPicture.image(
@@ -228,7 +215,7 @@ public final class GraphicsStage implements Stage {
             return Optional.empty();
         }
         PixelSamples samples = samples();
-        double exposure = exposureSoFar(true);
+        double exposure = exposureSoFar();
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();
         boolean isWhole = current.tiles.draw(SceneSession.tiles(width, height, samples.side()), interrupted, tile -> {

@@ -5,11 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -17,8 +22,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.render.InAScene;
+import sunbeam.app.render.SceneData;
+import sunbeam.app.render.SceneLoader;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneObject;
+import sunbeam.app.scene.SceneObject.Placement;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ViewerInAWindow;
 import sunbeam.app.viewer.loop.Stage.MapRequest;
 import sunbeam.app.viewer.loop.Stage.ViewState;
@@ -36,6 +49,7 @@ class GraphicsStageTest {
     private static final int WIDTH = 120;
     private static final int HEIGHT = 90;
     private static final double TENTH_OF_A_STOP = Math.pow(2, 0.1);
+    private static final double A_STOP = 2;
 
     @TempDir
     private Path folder;
@@ -99,6 +113,64 @@ class GraphicsStageTest {
             await(stage, () -> drawn.contains(true));
         }
         assertThat(drawn).containsExactly(false, true);
+    }
+
+    @Test
+    @NeedsDisplay
+    void aPictureBeforeItsColorsIsAboutAsBrightAsWithThem() throws InterruptedException {
+        Scene scene = Scenes.load("disc");
+        List<SceneData> parts = InAScene.parts(scene, folder);
+        try (GraphicsStage stage = new GraphicsStage()) {
+            double body = light(stage.body(scene, parts.get(0).shape(), WIDTH, HEIGHT));
+            stage.update(new ViewState(new LoadedScene(parts), 0, WIDTH, HEIGHT, false), () -> {});
+            Stage.Preview before = stage.moving(() -> false).orElseThrow();
+            assertThat(before.hasColors()).isFalse();
+            await(stage, () -> stage.coarsestShare() == 1);
+            double colors = light(stage.byTiles().orElseThrow().image());
+            // A stop at most: the light of orders is not known yet, but for its mean over built-in scenes.
+            assertThat(light(before.image())).isBetween(colors / A_STOP, colors * A_STOP);
+            assertThat(body).isBetween(colors / A_STOP, colors * A_STOP);
+        }
+    }
+
+    @Test
+    @NeedsDisplay
+    void aSoftShadowHasNoGrainInAMovingPicture() {
+        Scene plain = ViewerInAWindow.scene()
+                .withMesh(MeshSource.of("sphere"))
+                .with(Choices.none().with(SceneSettings.SHADOWS, true))
+                .withLight(new SceneLight(new Vector3f(0.4f, -0.5f, 0.77f), 1, Math.toRadians(10)));
+        Vector3f towards = plain.light().towards().mul(0.3f, new Vector3f());
+        Placement between = new Placement(towards, new Quaternionf(), OptionalDouble.of(0.1));
+        List<SceneObject> objects = new ArrayList<>(plain.objects());
+        objects.add(new SceneObject(plain.settings(), plain.objects().get(0).patches(), between));
+        Scene scene = plain.withObjects(objects);
+        try (GraphicsStage stage = new GraphicsStage()) {
+            SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
+            BufferedImage picture = stage.body(scene, loader.shape(scene), 4 * WIDTH, 4 * HEIGHT);
+            // Single taps of four have a quarter of the light, 64 levels; smooth shading differs by less than 8.
+            assertThat(IntStream.range(0, picture.getWidth() * picture.getHeight())
+                            .filter(i -> isLonely(picture, i % picture.getWidth(), i / picture.getWidth(), 8)))
+                    .isEmpty();
+        }
+    }
+
+    /** True if a pixel's green is darker, or brighter, by some levels than that of all its neighbors. */
+    private static boolean isLonely(BufferedImage image, int x, int y, int levels) {
+        if (x == 0 || y == 0 || x == image.getWidth() - 1 || y == image.getHeight() - 1) {
+            return false;
+        }
+        int own = green(image, x, y);
+        int[] around = IntStream.range(0, 9)
+                .filter(i -> i != 4)
+                .map(i -> green(image, x + i % 3 - 1, y + i / 3 - 1) - own)
+                .toArray();
+        return Arrays.stream(around).allMatch(step -> step > levels)
+                || Arrays.stream(around).allMatch(step -> step < -levels);
+    }
+
+    private static int green(BufferedImage image, int x, int y) {
+        return image.getRGB(x, y) >> 8 & 0xff;
     }
 
     private LoadedScene updateToCoarsest(GraphicsStage stage) throws InterruptedException {
