@@ -6,10 +6,12 @@ import java.util.Optional;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
+import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.MapView.GratingOrders;
 import sunbeam.app.viewer.loop.Stage.MapRequest;
 import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 
@@ -24,6 +26,8 @@ final class MapPresenter {
     // Newest map, null if none is visible, and the displayed one.
     private MapRequest newest;
     private MapRequest displayed;
+    // Plan of the displayed map's method, if that map is final.
+    private MethodPlan finalMethod;
 
     MapPresenter(Viewer viewer) {
         this.viewer = viewer;
@@ -45,21 +49,25 @@ final class MapPresenter {
                 picked.map(point -> point.light(toLight)).orElseGet(() -> new Direction(seen.x, seen.y, seen.z));
         if (towards.z() < LOWEST_LIGHT) {
             view.clear("the light is behind the skin here");
+            finalMethod = null;
             return;
         }
         int object = picked.map(point -> point.pick().object()).orElse(scene.current());
         int region = picked.map(point -> point.pick().region()).orElse(0);
-        Patch patch = viewer.model
-                .loaded()
-                .orElseThrow()
-                .ofPatch(object, region)
-                .get(0)
-                .patch();
+        SceneData part =
+                viewer.model.loaded().orElseThrow().ofPatch(object, region).get(0);
+        Patch patch = part.patch();
         if (displayed != null && displayed.patch() != patch) {
             view.clear("");
         }
         newest = new MapRequest(towards, object, region, patch);
-        view.newest(false);
+        boolean isDisplayed = newest.equals(displayed) && part.method() == finalMethod;
+        if (isDisplayed) {
+            newest = displayed;
+        } else {
+            finalMethod = null;
+        }
+        view.newest(isDisplayed);
         view.mark(
                 picked.map(point -> point.pick().wr()),
                 picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you");
@@ -68,23 +76,32 @@ final class MapPresenter {
     /** Requests the final map, or a preview unless the newest map is displayed. */
     void request(boolean isFinal) {
         MapRequest request = newest;
-        if (request != null && (isFinal || request != displayed)) {
+        if (request != null && (request != displayed || (isFinal && finalMethod == null))) {
+            MethodPlan method = viewer.model
+                    .loaded()
+                    .orElseThrow()
+                    .ofPatch(request.object(), request.region())
+                    .get(0)
+                    .method();
             viewer.loop.submit(stage -> stage.map(
                     request,
                     isFinal,
                     viewer.loop::isOutdated,
-                    (image, isWhole) -> SwingUtilities.invokeLater(() -> show(request, image, isWhole))));
+                    (image, isWhole) ->
+                            SwingUtilities.invokeLater(() -> show(request, image, isWhole ? method : null))));
         }
     }
 
-    private void show(MapRequest request, BufferedImage image, boolean isFinal) {
+    /** @param method plan of a final map's method, null for another map */
+    private void show(MapRequest request, BufferedImage image, MethodPlan method) {
         if (newest != null && newest.patch() != request.patch()) {
             return; // the map of a scan that another has replaced
         }
         displayed = request;
-        view.show(image, !isFinal);
+        finalMethod = request == newest ? method : null;
+        view.show(image, method == null);
         markOrders();
-        if (isFinal && request == newest) {
+        if (finalMethod != null) {
             view.newest(true);
         }
     }
