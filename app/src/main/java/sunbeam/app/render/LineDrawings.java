@@ -158,7 +158,7 @@ public final class LineDrawings {
     /** Cone from the picture's center towards the light, a unit vector in camera space; dim if the light is behind the model. */
     public record LightCone(Vector3fc towards) {
         // Shares of the picture's shorter side; width of lines in pixels.
-        private static final double LENGTH = 0.4;
+        public static final double LENGTH = 0.4;
         private static final double HALF_WIDTH = 0.035;
         private static final float LINE_WIDTH = 1.4f;
 
@@ -168,7 +168,7 @@ public final class LineDrawings {
         }
 
         /** Returns the middle of the cone's mouth; its apex is the picture's middle. */
-        private Point2D mouth(int width, int height) {
+        public Point2D mouth(int width, int height) {
             double length = LENGTH * Math.min(width, height);
             return new Point2D.Double(0.5 * width + length * towards.x(), 0.5 * height - length * towards.y());
         }

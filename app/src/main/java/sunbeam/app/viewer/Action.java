@@ -142,7 +142,7 @@ enum Action {
         viewer.model.change(scene -> move.of(scene, right(stroke) * STEP_RADIANS, up(stroke) * STEP_RADIANS));
     }
 
-    private static void zoom(Viewer viewer, double factor) {
+    static void zoom(Viewer viewer, double factor) {
         viewer.model.change(scene -> Drags.zoomed(scene, factor, 0, 0, 1, 1));
     }
 

@@ -12,7 +12,9 @@ import java.util.function.BiPredicate;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
+import javax.swing.Timer;
 import org.joml.Vector3f;
+import sunbeam.app.render.LineDrawings.LightCone;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.Action.Group;
 import sunbeam.app.viewer.Action.Help;
@@ -28,6 +30,10 @@ public final class MouseControls extends MouseAdapter {
                 new Help(Group.SKIN, "drag of the line between two methods", "moves it"),
                 (controls, event) -> isDrag(event) && controls.isDividerGrabbed,
                 (controls, event) -> controls.view.divider.move((double) event.getX() / controls.view.getWidth())),
+        SUN(
+                new Help(Group.LIGHT, "drag of the sun", "moves the light to the pointer"),
+                (controls, event) -> isDrag(event) && controls.isSunGrabbed,
+                MouseControls::moveSun),
         TURN(
                 new Help(
                         Group.LIGHT,
@@ -61,7 +67,7 @@ public final class MouseControls extends MouseAdapter {
                 (controls, event) -> isDoubleClick(event) && event.isShiftDown(),
                 MouseControls::pick),
         PICK(
-                new Help(Group.SKIN, "double click on the skin", "picks the point, and its object"),
+                new Help(Group.SKIN, "double click or long press on the skin", "picks the point, and its object"),
                 (controls, event) -> isDoubleClick(event),
                 MouseControls::pick);
 
@@ -93,6 +99,9 @@ public final class MouseControls extends MouseAdapter {
     }
 
     private static final double ZOOM_STEP = 1.1;
+    private static final int LONG_PRESS_MILLISECONDS = 600;
+    // A finger that rests moves less, in Swing units.
+    private static final int REST = 8;
 
     private final Viewer viewer;
     private final PictureView view;
@@ -100,12 +109,16 @@ public final class MouseControls extends MouseAdapter {
     private Point last;
     private Optional<SkinPoint> held = Optional.empty();
     private boolean isDividerGrabbed;
+    private boolean isSunGrabbed;
     private int presses;
+    private MouseEvent pressed;
+    private final Timer longPress = new Timer(LONG_PRESS_MILLISECONDS, event -> pick(pressed));
 
     private MouseControls(Viewer viewer) {
         this.viewer = viewer;
         view = viewer.window.picture;
         model = viewer.model;
+        longPress.setRepeats(false);
     }
 
     public static void install(Viewer viewer) {
@@ -120,6 +133,15 @@ public final class MouseControls extends MouseAdapter {
         view.requestFocusInWindow();
         last = event.getPoint();
         isDividerGrabbed = isAtDivider(event);
+        view.light.touch();
+        isSunGrabbed = !isDividerGrabbed
+                && event.getModifiersEx() == InputEvent.BUTTON1_DOWN_MASK
+                && view.light.isAt(event.getX(), event.getY(), view.getWidth(), view.getHeight());
+        pressed = event;
+        longPress.stop();
+        if (event.getModifiersEx() == InputEvent.BUTTON1_DOWN_MASK && !isSunGrabbed && !isDividerGrabbed) {
+            longPress.start();
+        }
         held = Optional.empty();
         int press = ++presses;
         Point pixel = pixel(event);
@@ -127,7 +149,13 @@ public final class MouseControls extends MouseAdapter {
     }
 
     @Override
+    public void mouseReleased(MouseEvent event) {
+        longPress.stop();
+    }
+
+    @Override
     public void mouseMoved(MouseEvent event) {
+        view.light.touch();
         if (last != null) {
             act(event);
         }
@@ -153,6 +181,10 @@ public final class MouseControls extends MouseAdapter {
     public void mouseDragged(MouseEvent event) {
         if (last != null) {
             view.hideHint();
+            view.light.touch();
+            if (pressed == null || event.getPoint().distance(pressed.getPoint()) > REST) {
+                longPress.stop();
+            }
             act(event);
             last = event.getPoint();
         }
@@ -175,6 +207,13 @@ public final class MouseControls extends MouseAdapter {
     private void pick(MouseEvent event) {
         Point pixel = pixel(event);
         viewer.inspector.pick(pixel.x, pixel.y, event.isShiftDown());
+    }
+
+    private void moveSun(MouseEvent event) {
+        double length = LightCone.LENGTH * Math.min(view.getWidth(), view.getHeight());
+        double right = (event.getX() - 0.5 * view.getWidth()) / length;
+        double up = (0.5 * view.getHeight() - event.getY()) / length;
+        model.change(scene -> Drags.litAt(scene, right, up));
     }
 
     private void zoom(MouseEvent event) {

@@ -57,6 +57,10 @@ public final class PickPanel extends JPanel {
         difference.setVisible(readouts.get(1).color.isVisible());
     }
 
+    String firstSentence() {
+        return readouts.get(0).sentence.getText();
+    }
+
     public String numbers() {
         String points = readouts.stream().map(Readout::numbers).collect(Collectors.joining());
         return (points + (difference.getText() + "\n").stripLeading() + plot.numbers()).strip() + "\n";

@@ -43,6 +43,7 @@ public final class PictureView extends JComponent {
     boolean isLightHeld;
 
     public final transient Divider divider = new Divider(this::repaint);
+    final transient LightHandle light = new LightHandle(this::repaint);
 
     public PictureView() {
         setLayout(new BorderLayout());
@@ -178,7 +179,7 @@ public final class PictureView extends JComponent {
             return; // the next picture repaints it
         }
         // Repaint the cone at each event of a drag, without waiting for the next picture.
-        Stream.concat(cone.stream(), value.stream()).forEach(light -> repaint(light.bounds(getWidth(), getHeight())));
+        Stream.concat(cone.stream(), value.stream()).forEach(shown -> repaint(shown.bounds(getWidth(), getHeight())));
         cone = value;
     }
 
@@ -217,7 +218,8 @@ public final class PictureView extends JComponent {
                 paintHint(scaled);
             }
             scaled.dispose();
-            cone.ifPresent(light -> light.paint((Graphics2D) graphics.create(), getWidth(), getHeight()));
+            cone.ifPresent(shown -> shown.paint((Graphics2D) graphics.create(), getWidth(), getHeight()));
+            light.paint((Graphics2D) graphics.create(), getWidth(), getHeight());
         }
     }
 

@@ -89,6 +89,12 @@ public final class PointInspector {
         });
     }
 
+    /** Removes all points. */
+    void clear() {
+        keepFirst(0);
+        describe();
+    }
+
     private void keepFirst(int count) {
         stop();
         picks.subList(count, picks.size()).clear();
@@ -146,6 +152,7 @@ public final class PointInspector {
                     pick.point.describe(towards, picture.pictureWidth(), picture.pictureHeight()),
                     picks.size() > 1);
         }
+        viewer.caption.accept(picks.isEmpty() ? viewer.presenter.verdict : panel.firstSentence());
     }
 
     private static List<Object> spectrumInputs(SkinPoint found, Scene scene) {

@@ -43,6 +43,8 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     private ViewState shown;
     private RenderLoop.Finished completed;
     private double loadedShare;
+    /** Sentence about the patch; a blank until it is known. */
+    String verdict = " ";
     // Message about the last state that could not be drawn.
     private String refusal = "";
 
@@ -152,7 +154,9 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     }
 
     private void followLight() {
-        window.picture.showCone(shows(Overlay.CONE) ? Optional.of(LightCone.of(model.drawnScene())) : Optional.empty());
+        LightCone cone = LightCone.of(model.drawnScene());
+        window.picture.light.follow(cone);
+        window.picture.showCone(shows(Overlay.CONE) ? Optional.of(cone) : Optional.empty());
         viewer.inspector.describe();
     }
 
@@ -278,10 +282,11 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     void showPeriod() {
         model.loaded().ifPresent(loaded -> {
             Patch patch = loaded.firstPart().patch();
-            window.status.caption(viewer.periods
+            verdict = viewer.periods
                     .find(patch)
                     .map(period -> Verdict.of(patch, period, 0, 0).sentence() + ".")
-                    .orElse(" "));
+                    .orElse(" ");
+            window.status.caption(verdict);
         });
         map.markOrders();
         viewer.inspector.describe();

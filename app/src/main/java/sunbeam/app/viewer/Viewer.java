@@ -64,6 +64,9 @@ public final class Viewer {
     private final CountDownLatch closed = new CountDownLatch(1);
     private final AWTEventListener dragListener = this::trackDrag;
     Scene sceneAsOpened;
+    Optional<Kiosk> kiosk = Optional.empty();
+    /** Receives the sentence about the picked point, else about the patch. */
+    Consumer<String> caption = sentence -> {};
 
     Viewer(
             Scene scene,
@@ -114,6 +117,17 @@ public final class Viewer {
         open(scene, environment, warning, pictureSize).awaitEnd(PATIENCE_MILLISECONDS);
     }
 
+    /** Shows a scene in a {@link Kiosk} and waits until it is closed. */
+    public static void showKiosk(Scene scene, Environment environment, Consumer<String> warning)
+            throws InterruptedException {
+        openKiosk(scene, environment, warning).awaitEnd(PATIENCE_MILLISECONDS);
+    }
+
+    static Viewer openKiosk(Scene scene, Environment environment, Consumer<String> warning)
+            throws InterruptedException {
+        return open(scene, environment, warning, null, Kiosk::install);
+    }
+
     /** Shows a scene, drags its light and its model for the given seconds each, closes the window and returns the measurements as text. */
     public static String measure(
             Scene scene, Environment environment, Consumer<String> warning, Dimension pictureSize, double seconds)
@@ -136,6 +150,16 @@ public final class Viewer {
     }
 
     static Viewer open(Scene scene, Environment environment, Consumer<String> warning, Dimension pictureSize)
+            throws InterruptedException {
+        return open(scene, environment, warning, pictureSize, KeyControls::install);
+    }
+
+    private static Viewer open(
+            Scene scene,
+            Environment environment,
+            Consumer<String> warning,
+            Dimension pictureSize,
+            Consumer<Viewer> controls)
             throws InterruptedException {
         if (GraphicsEnvironment.isHeadless()) {
             throw new GraphicsException("the viewer needs a screen: start it on a desktop, or set DISPLAY");
@@ -171,7 +195,7 @@ public final class Viewer {
                         GraphicsStage::new,
                         journal,
                         RecentFiles.of(environment)));
-                KeyControls.install(viewer.get());
+                controls.accept(viewer.get());
                 MouseControls.install(viewer.get());
                 viewer.get().start(pictureSize, shape::get);
             });

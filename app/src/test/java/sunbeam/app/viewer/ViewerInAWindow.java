@@ -83,14 +83,20 @@ public abstract class ViewerInAWindow {
         robot = new Robot();
         robot.setAutoDelay(10);
         arrivals = new Arrivals();
-        viewer = Viewer.open(scene(), environment(), line -> {}, null);
-        onEvents(() -> {
-            viewer.window.showPanel(true);
-            viewer.window.picture.hideHint();
-            viewer.window.setBounds(0, 0, 620, 420);
-            viewer.presenter.toggle(Overlay.MAP);
-        });
+        viewer = opened();
         awaitFinal();
+    }
+
+    /** Opens the viewer. */
+    Viewer opened() throws Exception {
+        Viewer opened = Viewer.open(scene(), environment(), line -> {}, null);
+        onEvents(() -> {
+            opened.window.showPanel(true);
+            opened.window.picture.hideHint();
+            opened.window.setBounds(0, 0, 620, 420);
+            opened.presenter.toggle(Overlay.MAP);
+        });
+        return opened;
     }
 
     /** A cylinder with the colors of a coarse grating: a silhouette that turns, and a method that takes milliseconds. */
@@ -217,6 +223,7 @@ public abstract class ViewerInAWindow {
 
     /** Returns the screen's pixels in a component's place. */
     BufferedImage screen(Component component) throws Exception {
+        onEvents(() -> viewer.window.picture.light.opacity = 0);
         return robot.createScreenCapture(
                 onEvents(() -> new Rectangle(component.getLocationOnScreen(), component.getSize())));
     }
@@ -229,6 +236,14 @@ public abstract class ViewerInAWindow {
         component.paint(graphics);
         graphics.dispose();
         return image;
+    }
+
+    /** Returns the picture with its overlays, but for the light's handle, which fades. */
+    BufferedImage paintedPicture() throws Exception {
+        return onEvents(() -> {
+            viewer.window.picture.light.opacity = 0;
+            return painted(viewer.window.picture);
+        });
     }
 
     /** Returns the picture that the command render writes for the viewer's scene, saved as a file. */

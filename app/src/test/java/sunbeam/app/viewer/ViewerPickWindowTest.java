@@ -123,7 +123,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         await(() -> curvePixels(CURVE) > 100);
         BufferedImage spectrum = onEvents(() -> painted(plot()));
         assertTheNumbersAreCopied(text);
-        BufferedImage marked = onEvents(() -> painted(viewer.window.picture));
+        BufferedImage marked = paintedPicture();
         // The ring of the mark is six pixels around the point.
         int row = shown.getHeight() / 2;
         assertThat(marked.getSubimage(shown.getWidth() / 2 - 9, row - 9, 18, 18))

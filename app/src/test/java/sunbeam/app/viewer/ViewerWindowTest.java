@@ -215,7 +215,7 @@ final class ViewerWindowTest extends ViewerInAWindow {
     }
 
     private BufferedImage shown() throws Exception {
-        return onEvents(() -> painted(viewer.window.picture));
+        return paintedPicture();
     }
 
     private Divider divider() {

@@ -46,6 +46,12 @@ public final class ViewCommand extends ReportingCommand {
     private Double measure;
 
     @Option(
+            names = "--kiosk",
+            description = "For an exhibition with a touch screen: full screen, buttons instead of menus, the caption in"
+                    + " large type; after 90 s without a touch the opening scene comes back. Ctrl+Q quits.")
+    private boolean kiosk;
+
+    @Option(
             names = "--size",
             paramLabel = "WxH",
             description =
@@ -61,10 +67,16 @@ public final class ViewCommand extends ReportingCommand {
         UsageException.throwIf(
                 measure != null && !(measure >= SHORTEST_MEASUREMENT && measure <= LONGEST_MEASUREMENT),
                 "--measure " + measure + " is out of range; give 1 to 600 seconds");
+        UsageException.throwIf(
+                kiosk && (measure != null || size != null),
+                "--kiosk fills the screen and waits for visitors; leave " + (size != null ? "--size" : "--measure")
+                        + " out");
         Scene first = SceneOverrides.apply(Scenes.load(scene), overrides.choices());
         Consumer<String> warning = err()::println;
         Dimension pictureSize = size == null ? null : new Dimension(size.width(), size.height());
-        if (measure == null) {
+        if (kiosk) {
+            Viewer.showKiosk(first, environment(), warning);
+        } else if (measure == null) {
             Viewer.show(first, environment(), warning, pictureSize);
         } else {
             out().println(Viewer.measure(first, environment(), warning, pictureSize, measure));

@@ -16,6 +16,9 @@ public final class Drags {
     private static final float NEAREST = 1e-6f;
     private static final float FARTHEST = 1e6f;
 
+    // Depth of a light that is seen on the rim between both sides of the model; rounding errors are smaller.
+    private static final float RIM = 1e-3f;
+
     private Drags() {}
 
     /**
@@ -64,6 +67,23 @@ public final class Drags {
         Matrix4f worldToCamera = scene.view().camera().worldToCamera();
         Vector3f seen = worldToCamera.transformDirection(scene.light().towards(), new Vector3f());
         seen.rotateY((float) right).rotateX((float) -up);
+        Vector3f towards = worldToCamera.invertAffine().transformDirection(seen).normalize();
+        return scene.withLight(scene.light().pointing(towards));
+    }
+
+    /**
+     * Points the light so that its direction is seen at a place of the picture, on its present side of the model.
+     *
+     * @param right in camera space: components of the unit vector to the light, as {@code up}; a vector longer than 1 is shortened
+     */
+    public static Scene litAt(Scene scene, double right, double up) {
+        Matrix4f worldToCamera = scene.view().camera().worldToCamera();
+        boolean isBehind = worldToCamera.transformDirection(scene.light().towards(), new Vector3f()).z < -RIM;
+        double longest = Math.max(1, Math.hypot(right, up));
+        double x = right / longest;
+        double y = up / longest;
+        double z = Math.sqrt(Math.max(0, 1 - x * x - y * y));
+        Vector3f seen = new Vector3f((float) x, (float) y, (float) (isBehind ? -z : z));
         Vector3f towards = worldToCamera.invertAffine().transformDirection(seen).normalize();
         return scene.withLight(scene.light().pointing(towards));
     }
