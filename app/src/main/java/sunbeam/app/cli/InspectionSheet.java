@@ -64,12 +64,14 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
 
     /** Returns x, y, width and height of the heights and their spectrum in the picture, pixels. */
     List<Integer> thumbnail() {
-        Drawing maps = new Sheet(width)
-                .row(drawing(Panel.HEIGHTS), drawing(Panel.SPECTRUM))
-                .draw();
-        return panel.isPresent()
-                ? List.of(0, 0, width, draw().height())
-                : List.of(0, text().height(), width, maps.height());
+        int across = new Sheet(width).plotWidth();
+        int below = across == width ? 2 : 1;
+        return panel.map(drawn -> List.of(0, 0, width, height(drawn, width)))
+                .orElseGet(() -> List.of(0, text().height(), width, below * height(Panel.HEIGHTS, across)));
+    }
+
+    private static int height(Panel drawn, int across) {
+        return (int) (across * (drawn == Panel.HEIGHTS || drawn == Panel.SPECTRUM ? MAP_RATIO : PLOT_RATIO));
     }
 
     Drawing draw() {
@@ -81,25 +83,24 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
 
     private Drawing drawing(Panel drawn) {
         int across = panel.isPresent() ? width : new Sheet(width).plotWidth();
-        int plot = (int) (PLOT_RATIO * across);
+        int high = height(drawn, across);
         return switch (drawn) {
-            case HEIGHTS -> heights(across);
-            case SPECTRUM -> spectrum(across);
+            case HEIGHTS -> heights(across, high);
+            case SPECTRUM -> spectrum(across, high);
             case HISTOGRAM ->
-                Plot.linear("Share of the surface per nm", "height / nm", "", across, plot)
-                        .fromZero()
-                        .line("share", histogram()[0], histogram()[1])
-                        .draw();
-            case PROFILE ->
-                Plot.linear(
-                                Text.format("Profile through the center, %.1f\u00b0", rounded(direction())),
-                                "position / um",
-                                "height / nm",
-                                across,
-                                plot)
-                        .line("heights", profile()[0], profile()[1])
-                        .draw();
+                curve(
+                        Plot.linear("Share of the surface per nm", "height / nm", "", across, high)
+                                .fromZero(),
+                        histogram());
+            case PROFILE -> {
+                String title = Text.format("Profile through the center, %.1f\u00b0", rounded(direction()));
+                yield curve(Plot.linear(title, "position / um", "height / nm", across, high), profile());
+            }
         };
+    }
+
+    private static Drawing curve(Plot plot, double[][] values) {
+        return plot.line("", values[0], values[1]).draw();
     }
 
     /** Returns the values of the only panel in SI units; those of the heights are the scan itself. */
@@ -157,7 +158,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
         return spectrum.at(jx, jy) * x * y;
     }
 
-    private Drawing heights(int across) {
+    private Drawing heights(int across, int tall) {
         double[][] rows = new double[map.rows()][map.columns()];
         for (int row = 0; row < map.rows(); row++) {
             int mapRow = map.rows() - 1 - row;
@@ -173,13 +174,13 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
         double[] x = {0, width};
         double[] y = {0, map.height() * MICROMETERS};
         return new HeatMap(
-                        new Frame("Height / nm", "x / um", "y / um", across, (int) (MAP_RATIO * across), true),
+                        new Frame("Height / nm", "x / um", "y / um", across, tall, true),
                         new Values(rows, x, y, colors, HeatMap.Reduction.MIDDLE))
                 .scaleBar(Lengths.format(bar / MICROMETERS), bar)
                 .draw();
     }
 
-    private Drawing spectrum(int across) {
+    private Drawing spectrum(int across, int tall) {
         HeightSpectrum spectrum = inspection.spectrum();
         GratingPeriod period = inspection.period();
         int reachX = reachX();
@@ -201,7 +202,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
         String title = "Power spectral density / " + (isProfile() ? "nm^2 um" : "nm^4");
         String axis = "periods per um along ";
         HeatMap picture = new HeatMap(
-                new Frame(title, axis + "x", axis + "y", across, (int) (MAP_RATIO * across), true),
+                new Frame(title, axis + "x", axis + "y", across, tall, true),
                 new Values(rows, x, y, colors, HeatMap.Reduction.LARGEST));
         if (period.hasWave()) {
             period.waves()

@@ -45,17 +45,11 @@ public final class PngWriter {
             all.putAll(text);
             IIOMetadataNode root = chunks(all);
             if (pixelsPerMeter > 0) {
-                String resolution = Long.toString(Math.round(pixelsPerMeter));
-                add(
-                        root,
-                        "pHYs",
-                        Map.of(
-                                "pixelsPerUnitXAxis",
-                                resolution,
-                                "pixelsPerUnitYAxis",
-                                resolution,
-                                "unitSpecifier",
-                                "meter"));
+                Map<String, String> physical = new HashMap<>(Map.of("unitSpecifier", "meter"));
+                for (String side : List.of("pixelsPerUnitXAxis", "pixelsPerUnitYAxis")) {
+                    physical.put(side, Long.toString(Math.round(pixelsPerMeter)));
+                }
+                add(root, "pHYs", physical);
             }
             metadata.mergeTree(NATIVE_FORMAT, root);
             writer.setOutput(output);

@@ -1,10 +1,12 @@
 package sunbeam.app.files.plot;
 
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
-import java.util.Arrays;
 import java.util.function.Consumer;
 
 /** Picture that draws itself on white, into a bitmap or a file of vectors; width and height are in pixels of the bitmap. */
@@ -33,30 +35,25 @@ public record Drawing(int width, int height, Consumer<Graphics2D> content) {
 
     /** Puts drawings below one another, aligned at the left. */
     public static Drawing column(int gap, Drawing... drawings) {
-        int width = Arrays.stream(drawings).mapToInt(Drawing::width).max().orElseThrow();
-        int height = Arrays.stream(drawings)
-                        .mapToInt(drawing -> drawing.height + gap)
-                        .sum()
-                - gap;
-        return new Drawing(width, height, graphics -> {
-            int y = 0;
-            for (Drawing drawing : drawings) {
-                drawing.drawAt(graphics, 0, y);
-                y += drawing.height + gap;
-            }
-        });
+        return joined(gap, 0, 1, drawings);
     }
 
     /** Lays drawings side by side, tops aligned. */
     public static Drawing row(int gap, Drawing... drawings) {
-        int width =
-                Arrays.stream(drawings).mapToInt(drawing -> drawing.width + gap).sum() - gap;
-        int height = Arrays.stream(drawings).mapToInt(Drawing::height).max().orElseThrow();
-        return new Drawing(width, height, graphics -> {
-            int x = 0;
-            for (Drawing drawing : drawings) {
-                drawing.drawAt(graphics, x, 0);
-                x += drawing.width + gap;
+        return joined(gap, 1, 0, drawings);
+    }
+
+    private static Drawing joined(int gap, int right, int down, Drawing... drawings) {
+        Rectangle all = new Rectangle();
+        Point[] corners = new Point[drawings.length];
+        for (int i = 0; i < drawings.length; i++) {
+            int step = i == 0 ? 0 : gap;
+            corners[i] = new Point(right * (all.width + step), down * (all.height + step));
+            all.add(new Rectangle(corners[i], new Dimension(drawings[i].width, drawings[i].height)));
+        }
+        return new Drawing(all.width, all.height, graphics -> {
+            for (int i = 0; i < drawings.length; i++) {
+                drawings[i].drawAt(graphics, corners[i].x, corners[i].y);
             }
         });
     }

@@ -149,7 +149,7 @@ public final class HeatMap {
     }
 
     private void annotate(XYTextAnnotation text) {
-        text.setFont(PlotStyle.TICK_FONT);
+        text.setFont(PlotStyle.LABEL_FONT);
         text.setPaint(Color.WHITE);
         text.setBackgroundPaint(SHADE);
         renderer.addAnnotation(text);

@@ -84,7 +84,6 @@ public final class PlotStyle {
 
     static final Font TITLE_FONT = PlotFont.bold(9 * Drawing.POINT);
     static final Font LABEL_FONT = PlotFont.plain((float) Drawing.TEXT_POINTS * Drawing.POINT);
-    static final Font TICK_FONT = LABEL_FONT;
     static final Color OUTLINE = new Color(0x888888);
     private static final Color GRID = new Color(0xDDDDDD);
     private static final double MARGIN = 18;
@@ -151,7 +150,7 @@ public final class PlotStyle {
         axis.setLabelPaint(INK);
         axis.setLabelInsets(new RectangleInsets(4, 4, 4, 4));
         axis.setTickMarkStroke(OUTLINE_STROKE);
-        axis.setTickLabelFont(TICK_FONT);
+        axis.setTickLabelFont(LABEL_FONT);
         axis.setTickLabelPaint(INK);
         axis.setTickLabelInsets(labelMargins);
         axis.setTickMarkPaint(INK);
@@ -228,7 +227,7 @@ public final class PlotStyle {
     static LegendTitle legend(XYPlot plot, String names) {
         LegendTitle legend = new LegendTitle(plot);
         legend.setPosition(RectangleEdge.BOTTOM);
-        legend.setItemFont(PlotFont.with(TICK_FONT, names));
+        legend.setItemFont(PlotFont.with(LABEL_FONT, names));
         legend.setItemPaint(INK);
         legend.setFrame(BlockBorder.NONE);
         legend.setItemLabelPadding(new RectangleInsets(4, 4, 4, 20));
