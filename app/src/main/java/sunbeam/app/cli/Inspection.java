@@ -104,6 +104,7 @@ record Inspection(
         if (period.isSeen()) {
             lines.add("period    " + period.describe());
         }
+        period.caution(patch).ifPresent(note -> lines.add("note      " + note));
         Plausibility.pitch(map).ifPresent(coarse -> lines.add("pitch     " + coarse));
         return lines;
     }

@@ -9,12 +9,14 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.analysis.WaveLimit;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.prepare.ScanFaults.ScanFault;
@@ -90,6 +92,13 @@ public final class JsonOption {
         fields.put("periods_in_the_scan", sure && !period.isExact() ? period.periods() : null);
         fields.put("share_of_variance", sure ? period.share() : null);
         fields.put("period_not_told", sure ? null : period.reason());
+        fields.put(
+                "excluded_amplitude_m", period.limit().map(WaveLimit::amplitude).orElse(null));
+        fields.put(
+                "excluded_periods_m",
+                period.limit()
+                        .map(limit -> List.of(limit.shortest(), limit.longest()))
+                        .orElse(null));
         fields.put("about_m", period.isSeen() ? period.period() : null);
         fields.put("directions_deg", period.isSeen() ? period.directions() : List.of());
         fields.put(
@@ -98,7 +107,10 @@ public final class JsonOption {
                         .map(band -> List.of(hundredths(band.blue()), hundredths(band.red())))
                         .toList());
         fields.put("faults", patch.faults().stream().map(ScanFault::line).toList());
-        fields.put("notes", patch.notes());
+        fields.put(
+                "notes",
+                Stream.concat(patch.notes().stream(), period.caution(patch).stream())
+                        .toList());
         fields.put("warnings", patch.warnings());
         return fields;
     }

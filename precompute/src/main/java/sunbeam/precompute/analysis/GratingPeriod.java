@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.apache.commons.math3.distribution.TDistribution;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
@@ -20,6 +21,7 @@ import sunbeam.precompute.units.Lengths;
  * @param share share of the heights' variance (without waviness) in the wave, or a lattice's waves, and overtones, 0..1
  * @param others up to two waves in other directions and one in the same, each at least half as strong
  * @param reason why the period is not sure; empty if it is
+ * @param limit waves that are excluded where no order is found
  */
 public record GratingPeriod(
         SpatialFrequency wave,
@@ -30,7 +32,8 @@ public record GratingPeriod(
         double share,
         List<SpatialFrequency> others,
         Certainty certainty,
-        String reason) {
+        String reason,
+        Optional<WaveLimit> limit) {
     public enum Certainty {
         SURE,
         /** Period without a known interval. */
@@ -43,6 +46,9 @@ public record GratingPeriod(
 
     public static final double PROBABILITY = 0.95;
 
+    // Periods that lines in step with the rows stray by over the scan, of which a hand that mounts a grating of 20
+    // periods to a degree leaves 0.35.
+    private static final double IN_STEP = 0.25;
     private static final double NANOMETERS_PER_METER = 1e9;
     // Sine of 2 degrees.
     static final double CONE = Hypothesis.CONE;
@@ -68,13 +74,15 @@ public record GratingPeriod(
         SpatialFrequency wave = waves.isEmpty() ? new SpatialFrequency(0, 0) : waves.get(0);
         List<SpatialFrequency> others = waves.isEmpty() ? waves : waves.subList(1, waves.size());
         double longest = Double.POSITIVE_INFINITY;
-        return new GratingPeriod(wave, 0, longest, Math.PI, periods, share, others, Certainty.SURE, "");
+        return new GratingPeriod(
+                wave, 0, longest, Math.PI, periods, share, others, Certainty.SURE, "", Optional.empty());
     }
 
     /** Sets the interval of the frequency, cycles per meter, and the half width of the direction's interval, radians. */
     GratingPeriod within(double lowest, double highest, double halfWidth) {
         double longest = lowest > 0 ? 1 / lowest : Double.POSITIVE_INFINITY;
-        return new GratingPeriod(wave, 1 / highest, longest, halfWidth, periods, share, others, certainty, reason);
+        return new GratingPeriod(
+                wave, 1 / highest, longest, halfWidth, periods, share, others, certainty, reason, limit);
     }
 
     /** Returns the period of some lines that differ in turn, overlaid by the present wave. */
@@ -85,7 +93,12 @@ public record GratingPeriod(
     }
 
     GratingPeriod withCertainty(Certainty known, String why) {
-        return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, others, known, why);
+        return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, others, known, why, limit);
+    }
+
+    GratingPeriod excluding(Optional<WaveLimit> excluded) {
+        String why = reason + excluded.map(waves -> "; " + waves.describe()).orElse("");
+        return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, others, certainty, why, excluded);
     }
 
     GratingPeriod none(String why) {
@@ -106,7 +119,7 @@ public record GratingPeriod(
         List<SpatialFrequency> turned =
                 others.stream().map(other -> other.turned(angle)).toList();
         return new GratingPeriod(
-                wave.turned(angle), low, high, azimuthHalfWidth, periods, share, turned, certainty, reason);
+                wave.turned(angle), low, high, azimuthHalfWidth, periods, share, turned, certainty, reason, limit);
     }
 
     public boolean isSure() {
@@ -177,6 +190,22 @@ public record GratingPeriod(
     /** Returns the azimuths of all waves in whole degrees, above -90 and at most 90, ascending. */
     public List<Long> directions() {
         return waves().stream().map(some -> (long) degrees(some, 1)).sorted().toList();
+    }
+
+    /** Returns a note if a scan's lines run along or across its rows, as those of a vibration that is slow, or in step with the rows, do. */
+    public Optional<String> caution(Patch patch) {
+        if (!isSeen() || isExact() || patch.repetition() == Patch.Repetition.PERIODIC) {
+            return Optional.empty();
+        }
+        HeightMap scan = patch.scan();
+        // While a row is scanned, a slow vibration moves on by a row's part of its period.
+        boolean along = Math.abs(wave.x()) * scan.width() <= IN_STEP + Math.abs(wave.y()) * scan.pitchY();
+        boolean across = Math.abs(wave.y()) * scan.height() <= IN_STEP;
+        return along || across
+                ? Optional.of("lines exactly " + (along ? "along" : "across")
+                        + " the scan's rows may be a vibration's: scan again, turned by 90 degrees; the surface's lines turn,"
+                        + " the instrument's do not")
+                : Optional.empty();
     }
 
     public String describe() {

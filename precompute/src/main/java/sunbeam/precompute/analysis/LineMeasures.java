@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleFunction;
 import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -139,29 +140,39 @@ record LineMeasures(
      * not be nearly all of a finer surface.
      */
     double share(SpatialFrequency wave) {
+        double all = relevant(wave);
+        return all > 0 ? Math.min(1, explained(wave) / all) : 0;
+    }
+
+    private double explained(SpatialFrequency wave) {
+        return IntStream.rangeClosed(1, OVERTONES)
+                .mapToDouble(k -> around(wave.times(k), BREADTH / k, which).power())
+                .sum();
+    }
+
+    private double relevant(SpatialFrequency wave) {
         double all = 0.5 * spectrum.total() - excluded;
         for (int place : binsBetween(wave, 0, COARSEST)) {
             all -= which.test(spectrum.frequency(place)) ? spectrum.power()[place] : 0;
         }
-        DoubleStream explained = IntStream.rangeClosed(1, OVERTONES)
-                .mapToDouble(k -> around(wave.times(k), BREADTH / k, which).power());
-        return all > 0 ? Math.min(1, explained.sum() / all) : 0;
+        return all;
     }
 
     /** Mean power in a line's sector over the median sector of the ring at its frequency. */
     double contrast(SpatialFrequency wave) {
-        return contrast(wave, 1 - BREADTH, 1 + BREADTH);
+        return contrast(wave, 0);
     }
 
-    private double contrast(SpatialFrequency wave, double from, double to) {
+    private double contrast(SpatialFrequency wave, double added) {
         double[] sums = new double[SECTORS];
         int[] counts = new int[SECTORS];
-        for (int place : binsBetween(wave, from, to)) {
+        for (int place : binsBetween(wave, 1 - BREADTH, 1 + BREADTH)) {
             double turns = (spectrum.frequency(place).azimuth() - wave.azimuth()) / Math.PI + 0.5 / SECTORS;
             int sector = Math.min(SECTORS - 1, (int) (SECTORS * (turns - Math.floor(turns))));
             sums[sector] += spectrum.power()[place];
             counts[sector]++;
         }
+        sums[0] += added;
         Arrays.setAll(sums, i -> sums[i] / Math.max(1, counts[i]));
         double line = sums[0];
         Arrays.sort(sums);
@@ -234,14 +245,46 @@ record LineMeasures(
 
     /** Share, 0..1, of the variance in plane waves with overtones: a Hann window's line holds 1.5 bins' worth of its peak along each axis. */
     double lineShare(List<SpatialFrequency> waves) {
-        double bins = 2
-                * worth(binX * spectrum.width(), spectrum.bandX())
-                * worth(binY * spectrum.height(), spectrum.bandY());
         double tops = waves.stream()
                 .flatMap(wave -> Stream.of(wave, wave.times(2), wave.times(3)))
                 .mapToDouble(this::top)
                 .sum();
-        return Math.min(1, bins * tops / spectrum.total());
+        return Math.min(1, 2 * worth() * tops / spectrum.total());
+    }
+
+    /** Power of a line over that of its peak. */
+    double worth() {
+        return worth(binX * spectrum.width(), spectrum.bandX()) * worth(binY * spectrum.height(), spectrum.bandY());
+    }
+
+    /** Returns the evidence of a sharp line by its peak, square meters, if that is higher than what is there. */
+    DoubleFunction<Evidence> evidence(SpatialFrequency wave) {
+        double here = top(wave);
+        double all = relevant(wave);
+        double share = explained(wave);
+        double lines = lineShare(List.of(wave)) * spectrum.total();
+        double contrast = contrast(wave);
+        double contrastOfPeak = contrast(wave, worth() * here) - contrast;
+        double prominence = prominence(wave, List.of()) / here;
+        double significance = significance(wave) / here;
+        double ring = ring(wave);
+        double unseen = unseen();
+        return peak -> {
+            double added = worth() * (peak - here);
+            return new Evidence(
+                    false,
+                    wave.periodsIn(scan),
+                    wave.samplesIn(scan),
+                    (share + added) / (all + added),
+                    (lines + 2 * added) / (spectrum.total() + 2 * added),
+                    contrast + contrastOfPeak * (peak / here - 1),
+                    ring,
+                    prominence * peak,
+                    significance * peak,
+                    unseen,
+                    Double.POSITIVE_INFINITY,
+                    0);
+        };
     }
 
     private static double worth(double padding, Band band) {

@@ -61,7 +61,8 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
     /** Judges the highest peaks, of which those of waviness and defects may be higher than a grating's; the first that is order wins. */
     private Optional<GratingPeriod> strongest() {
         Optional<GratingPeriod> best = Optional.empty();
-        for (SpatialFrequency line : search.peaks(wave -> wave.periodsIn(scan) >= FEWEST_TRIED, MOST_TRIED)) {
+        List<SpatialFrequency> tried = search.peaks(wave -> wave.periodsIn(scan) >= FEWEST_TRIED, MOST_TRIED);
+        for (SpatialFrequency line : tried) {
             GratingPeriod found = judged(line);
             boolean better = best.filter(known -> known.certainty().compareTo(found.certainty()) <= 0
                             || (known.certainty() != GratingPeriod.Certainty.NONE && isOvertone(line, known.wave())))
@@ -71,7 +72,9 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
                 break;
             }
         }
-        return best;
+        return best.map(found -> found.certainty() == GratingPeriod.Certainty.NONE
+                ? found.excluding(WaveLimit.of(search.measures(), tried))
+                : found);
     }
 
     private boolean isOvertone(SpatialFrequency line, SpatialFrequency of) {

@@ -349,4 +349,17 @@ class VerdictTest {
         HeightMap map = Surfaces.of(200, 200, 100e-9, (x, y) -> 5e-9 * ring.applyAsDouble(x, y));
         assertThat(verdict(piece(map))).startsWith("No grating found: waves of about 1.1 um");
     }
+
+    /** A vibration in step with the scan makes straight lines along or across its rows; lines turned by two degrees are the surface's. */
+    @ParameterizedTest
+    @CsvSource({"0, across", "90, along", "2, ", "45, "})
+    void linesInStepWithTheScanGetANote(double degrees, String where) {
+        double angle = Math.toRadians(degrees);
+        Patch patch = piece((x, y) -> sine(x * Math.cos(angle) + y * Math.sin(angle), 1e-6));
+        Optional<String> note = GratingPeriod.of(patch).caution(patch);
+        assertThat(note.isPresent()).isEqualTo(where != null);
+        note.ifPresent(words -> assertThat(words).startsWith("lines exactly " + where + " the scan's rows"));
+        Patch periodic = scan(patch.scan(), Patch.Repetition.PERIODIC);
+        assertThat(GratingPeriod.of(periodic).caution(periodic)).isEmpty();
+    }
 }
