@@ -1,32 +1,41 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
+import java.util.Locale;
 import sunbeam.precompute.analysis.GratingPeriod.Certainty;
 
 /**
  * Table of decisions on a wave: of its rows, in this order, the first whose condition holds decides. {@code KnownSurfaceTest} counts that at most
- * 1 in 200 surfaces without order are called sure and 3 in 100 probable. docs/evaluation.md prints the table.
+ * 1 in 200 surfaces without order are called sure and 3 in 100 probable. docs/evaluation.md has its rows.
  */
 enum Decision {
-    FINE_RELIEF(Certainty.NONE),
-    FAINT(Certainty.NONE),
-    ALL_DIRECTIONS(Certainty.ALL_DIRECTIONS),
-    TOO_FEW(Certainty.TOO_LITTLE),
-    LIKELY(Certainty.PROBABLE),
-    POSSIBLE(Certainty.TOO_LITTLE),
-    NOISE(Certainty.NONE),
-    FEW(Certainty.PROBABLE),
-    UNDERSAMPLED(Certainty.PROBABLE),
-    UNEVEN(Certainty.PROBABLE),
-    SURE(Certainty.SURE);
+    FINE_RELIEF(Certainty.NONE, "share below 0.08, half of the relief finer than light resolves"),
+    FAINT(Certainty.NONE, "share below 0.08"),
+    ALL_DIRECTIONS(
+            Certainty.ALL_DIRECTIONS, "4 periods, ring 4, contrast below 40 (of a broad line 10), lines below 0.3"),
+    TOO_FEW(Certainty.TOO_LITTLE, "fewer than 3 periods; order, or lines 0.3 and contrast 10"),
+    LIKELY(Certainty.PROBABLE, "no order; lines 0.2, contrast 10 to 60, prominence 4, significance 40, 3.5 periods"),
+    POSSIBLE(Certainty.TOO_LITTLE, "no order; lines 0.15, prominence 3"),
+    NOISE(Certainty.NONE, "no order"),
+    FEW(Certainty.PROBABLE, "fewer than 4 periods"),
+    UNDERSAMPLED(Certainty.PROBABLE, "fewer than 4 samples a period"),
+    UNEVEN(Certainty.PROBABLE, "interval wider than a fifth of the period"),
+    SURE(Certainty.SURE, "else");
 
     // Probability that the strongest of a few random waves has such a share.
     private static final double FALSE_ALARMS = 0.005;
 
     final Certainty certainty;
+    private final String condition;
 
-    Decision(Certainty certainty) {
+    Decision(Certainty certainty, String condition) {
         this.certainty = certainty;
+        this.condition = condition;
+    }
+
+    /** Returns the row of the table in docs/evaluation.md. */
+    String row() {
+        return "| " + condition + " | `" + certainty.name().toLowerCase(Locale.ROOT) + "` |";
     }
 
     static Decision of(Evidence wave) {
