@@ -8,12 +8,13 @@
 #include "jrtr/view_rays.glsl"
 #include "include/blend.glsl"
 #include "include/shadow.glsl"
+#include "include/sky.glsl"
 #include "include/srgb.glsl"
 #if SCREEN == 1
 #include "include/display.glsl"
 #endif
 
-// An opaque plane under a mesh, with the mesh's shadow and occlusion of the sky; the plane fades to the horizon's color with
+// An environment behind a mesh, and an opaque plane under it, with the mesh's shadow and occlusion of the sky; the plane fades to the horizon's color with
 // distance, and that color to the background with height.
 
 // SCREEN: 1 to write sRGB for pictures drawn while something moves, 0 to write linear XYZ.
@@ -30,6 +31,9 @@ uniform float viewPixels;
 // Linear sRGB.
 uniform vec3 groundColor;
 uniform vec3 horizonColor;
+// 1 or 0.
+uniform float showsGround;
+uniform float showsEnvironment;
 // Radiance of all lights, and of the white ground under each group of lights without shadows, linear Rec. 709.
 uniform vec3 groundAmbient;
 uniform vec3 groundLights[MOST_GROUPS];
@@ -63,7 +67,10 @@ vec4 ground() {
     float height = dot(eye - groundMiddle, groundNormal);
     float slant = dot(towards, groundNormal);
     vec3 horizon = LINEAR_SRGB_TO_XYZ * horizonColor;
-    bool isSky = height <= 0.0 || slant <= 1e-4;
+    bool isSky = showsGround == 0.0 || height <= 0.0 || slant <= 1e-4;
+    if (showsEnvironment > 0.0) {
+        horizon = skyXyz(isSky ? -towards : vec3(-towards.xy, 0.0));
+    }
     vec3 at = eye - height / max(slant, 1e-4) * towards;
     vec2 place = vec2(
             dot(at - groundMiddle, groundAcross) / dot(groundAcross, groundAcross),
@@ -82,7 +89,7 @@ vec4 ground() {
     }
     if (isSky) {
         float glow = height > 0.0 && horizonColor.g > 0.0 ? exp(GLOW * min(slant, 0.0)) : 0.0;
-        return glow * vec4(horizon, 1.0);
+        return max(glow, showsEnvironment) * vec4(horizon, 1.0);
     }
     float grain = 1.0 + 0.06 * noise(9.0 * place) + 0.05 * noise(41.0 * place) + 0.05 * noise(170.0 * place);
     vec3 lit = grain * (ambientWeight * sky * groundAmbient + diffuseWeight * (0.4 + 0.6 * sky) * direct);

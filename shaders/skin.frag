@@ -17,6 +17,8 @@ uniform int firstLight;
 uniform int lastLight;
 // 1 if a draw of a pixel has one of the lights, in place of all.
 uniform int lightsAreDrawn;
+// 4 if each of four neighboring samples has every fourth light, in place of all; else 1.
+uniform int lightStride;
 // Depth of geometry.frag's images, and the matrix from a position in them, in pixels, and its depth to world space.
 uniform sampler2D depths;
 uniform mat4 targetToWorld;
@@ -187,7 +189,8 @@ void main() {
     vec3 sum = vec3(0.0);
     int first = firstLight;
     int last = lastLight;
-    float parts = 1.0;
+    float parts = float(lightStride);
+    int phase = lightStride == 1 ? 0 : (pixel.x & 1) + 2 * (pixel.y & 1);
 #if COLOR_LEVELS == 0
     if (lightsAreDrawn == 1) {
         parts = float(last);
@@ -203,7 +206,7 @@ void main() {
         for (bool used = begin < end; used; used = false) {
             visible = visibility(group, world, frame[2], vec2(pixel) + 0.5);
         }
-        for (int light = begin; light < end; ++light) {
+        for (int light = begin + ((phase - begin) & (lightStride - 1)); light < end; light += lightStride) {
             vec4 towards = lightTexel(light, LIGHT_TOWARDS);
             vec3 wi = towards.xyz * frame;
             vec3 diffracted = vec3(0.0);

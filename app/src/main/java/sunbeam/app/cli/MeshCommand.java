@@ -47,7 +47,7 @@ public final class MeshCommand extends FileCommand {
     @Parameters(
             paramLabel = "MESH",
             description = "snake: coiled, 1.3 m long, with scales in its normals. plane: a square of 0.2 m. sphere: of"
-                    + " radius 0.1 m. cylinder: an open mantle, radius 0.1 m, 0.2 m high. disc: a compact disc. Or a file, OBJ, PLY or glTF, which is"
+                    + " radius 0.1 m. ellipsoid: half axes 0.1, 0.065 and 0.045 m. cylinder: an open mantle, radius 0.1 m, 0.2 m high. disc: a compact disc. Or a file, OBJ, PLY or glTF, which is"
                     + " checked, divided into triangles and completed.")
     private String mesh;
 

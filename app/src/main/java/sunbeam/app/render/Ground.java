@@ -124,7 +124,7 @@ final class Ground implements AutoCloseable {
         set(screen, scene, geometry, list, lights, block);
         screen.set("exposure", (float) exposure);
         screen.set("toneStart", (float) scene.display(exposure).tone().start());
-        double[] behind = scene.get(SceneSettings.BACKGROUND).light();
+        double[] behind = scene.background().light();
         screen.set("behind", new Vector3f((float) behind[0], (float) behind[1], (float) behind[2]));
         screen.set("viewPixels", (float) MOVING_PIXELS);
         FloatTarget drawn =
@@ -142,6 +142,7 @@ final class Ground implements AutoCloseable {
 
     private Map<String, Texture> textures(LightTexture lights) {
         Map<String, Texture> textures = new HashMap<>(lights.textures());
+        textures.putAll(lights.surroundings());
         textures.put("groundSky", sky);
         return textures;
     }
@@ -158,7 +159,11 @@ final class Ground implements AutoCloseable {
         to.set("groundAlong", toWorld.transformDirection(new Vector3f(0, reach, 0)));
         Vector3f normal = toWorld.transformDirection(new Vector3f(0, 0, 1));
         to.set("groundNormal", normal);
-        double[] color = scene.ground().orElseThrow().light();
+        double[] color = scene.ground().orElse(scene.background()).light();
+        to.set("showsGround", scene.ground().isPresent() ? 1f : 0f);
+        to.set("showsEnvironment", scene.showsEnvironment() ? 1f : 0f);
+        to.set("skyWeight", (float) lights.skyWeight());
+        SkinSurface.setSky(to, scene);
         to.set("groundColor", new Vector3f((float) color[0], (float) color[1], (float) color[2]));
         to.set("horizonColor", inMemory.horizon().mul((float) lights.skyWeight(), new Vector3f()));
         to.set("ambientWeight", (float) scene.ambient());

@@ -24,10 +24,8 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
     /** Mesa's software renderer ends a shader's loops after 65,535 steps; a light takes up to 25. */
     static final int MOST = LightTree.MOST;
 
-    // Lights of an environment: of a still picture without a number, and of a moving one, which is drawn without shadow
-    // maps.
+    // Lights of an environment in a still picture of a scene that gives no number.
     private static final int STILL = 128;
-    private static final int MOVING = 8;
     // Width of a region's light over the region's own: a row of such Gaussians is even to 2 exp(-2 pi^2 2^2 / 12) = 0.3
     // %.
     static final double OVERLAP = 2;
@@ -87,7 +85,9 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
 
     private static LightList of(Scene scene, LightTree tree, boolean moves) {
         boolean areDrawn = !moves && !hasFootprints(scene);
-        int count = moves ? MOVING : scene.get(SceneSettings.ENVIRONMENT_LIGHTS).orElse(STILL);
+        int count = moves
+                ? SceneSession.MOVING_LIGHTS
+                : scene.get(SceneSettings.ENVIRONMENT_LIGHTS).orElse(STILL);
         Vector3f up = new Vector3f(0, 0, 1).rotate(new Quaternionf(scene.orientation()));
         float turn = scene.get(SceneSettings.ENVIRONMENT_ROTATION).floatValue();
         float intensity = scene.get(SceneSettings.ENVIRONMENT_INTENSITY).floatValue();

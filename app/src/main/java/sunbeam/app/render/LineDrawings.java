@@ -19,7 +19,6 @@ import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.Mesh;
 
 /** Line drawings over a scene's picture or in its place. */
@@ -97,7 +96,7 @@ public final class LineDrawings {
                 .toArray();
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
-        Color behind = new Color(scene.get(SceneSettings.BACKGROUND).rgb());
+        Color behind = new Color(scene.background().rgb());
         graphics.setColor(behind);
         graphics.fillRect(0, 0, width, height);
         smooth(graphics);

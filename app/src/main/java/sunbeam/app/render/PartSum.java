@@ -72,8 +72,7 @@ public record PartSum(List<SceneSession> sessions) {
      */
     public PixelPicture draw(Scene scene, int width, int height, Tile tile, PixelSamples samples, double exposure) {
         int side = samples.side();
-        var pixels = new PixelPicture(
-                tile.width(), tile.height(), scene.display(exposure), scene.get(SceneSettings.BACKGROUND));
+        var pixels = new PixelPicture(tile.width(), tile.height(), scene.display(exposure), scene.background());
         ScenePicture first = draw(DrawRequest.first(scene, width, height, tile, samples));
         BitSet unsure = pixels.setAll(first, samples.firstAcross(), side);
         for (int finer : samples.refinements()) {

@@ -196,6 +196,10 @@ public final class SceneLoader {
     /** Only ensemble averages have levels for a wide light. */
     private static void requireEnsemble(Scene scene) {
         Choices choices = scene.method().choices();
+        if (!scene.hasEnvironment() && scene.get(SceneSettings.BACKGROUND).isEmpty()) {
+            throw scene.settings()
+                    .complaint(SceneSettings.BACKGROUND, "is the environment, and the scene has none; give #rrggbb");
+        }
         if (scene.hasEnvironment() && scene.method().isThesis()) {
             throw choices.complaint(
                     PRESET,

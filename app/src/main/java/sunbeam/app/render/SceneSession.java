@@ -29,6 +29,9 @@ public final class SceneSession implements AutoCloseable {
     /** In pixels: two of the blocks of 64 x 64 that llvmpipe gives to each processor. */
     public static final int TILE_SIDE = 128;
 
+    /** Most lights of an environment in a moving picture, which has no shadow maps of them. */
+    public static final int MOVING_LIGHTS = 8;
+
     private final RenderContext context;
     private final PackedShading shading;
     private final UploadedScene uploaded;

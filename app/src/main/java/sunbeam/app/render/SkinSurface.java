@@ -44,6 +44,8 @@ final class SkinSurface implements AutoCloseable {
     private static final int MOVING_SOFTWARE_TAPS = 1;
     private static final int MOVING_HARDWARE_TAPS = 4;
 
+    // Each sample of a square of 2 x 2 has its quarter of many lights.
+    private static final int LIGHT_STRIDE = 4;
     // Rounds levels up, so that lights of neighboring regions leave no ripples between them.
     private static final float MANY_ROUNDING = 0.85f;
 
@@ -66,7 +68,8 @@ final class SkinSurface implements AutoCloseable {
     private final Optional<VirtualTexture> texture;
     private final Optional<ReflectanceComponent> component;
     // Keys are whether lights are many. The first picture is a moving one and needs none.
-    private ShaderProgram program;
+    // Keys are whether there are many lights.
+    private final Map<Boolean, ShaderProgram> programs = new HashMap<>();
     // Keys are numbers of lights.
     private final Map<Integer, ShaderProgram> movingPrograms = new HashMap<>();
     private final CachedTarget movingTarget = new CachedTarget();
@@ -133,15 +136,15 @@ final class SkinSurface implements AutoCloseable {
         DrawRequest request = part.request();
         Scene scene = request.scene();
         boolean areMany = texture.isPresent() && part.lights().count() > Light.MOST;
-        if (program == null) {
-            program = method.program("skin.frag", Map.of("COLOR_LEVELS", texture.isPresent() ? "1" : "0"));
-        }
+        ShaderProgram program = programs.computeIfAbsent(areMany, this::program);
         setBlend(program, scene, part.lights());
         program.set("drawnPatch", (float)
                 SceneData.patchNumber(part.data().look(), part.data().region()));
         program.set("firstLight", firstLight);
         program.set("lastLight", lastLight);
         program.set("lightGroups", part.lights().groups().size());
+        boolean areShared = areMany && hasColors && request.samples() % 2 == 0;
+        program.set("lightStride", areShared ? LIGHT_STRIDE : 1);
         program.set("lightsAreDrawn", part.lights().areDrawn() ? 1 : 0);
         program.set("targetToWorld", part.geometry().blockToWorld(part.piece().block()));
         Map<String, Texture> textures = new HashMap<>(method.textures());
@@ -166,6 +169,15 @@ final class SkinSurface implements AutoCloseable {
         }
         textures.put("sources", sources);
         context.drawFullScreen(program, textures, target, tile);
+    }
+
+    /** Errors of linear interpolation along w have either sign under many lights, and cancel. */
+    private ShaderProgram program(boolean ofManyLights) {
+        Map<String, String> defines = new HashMap<>(Map.of("COLOR_LEVELS", texture.isPresent() ? "1" : "0"));
+        if (ofManyLights) {
+            defines.put("SLICE_TAPS", "2");
+        }
+        return method.program("skin.frag", defines);
     }
 
     /** Sets the uniforms of shaders/include/footprint.glsl. Fine relief widens footprints unless the table's levels include it. */
@@ -231,7 +243,7 @@ final class SkinSurface implements AutoCloseable {
         if (ground.isPresent()) {
             ground.get().fillMovingBlock(target, scene, geometry, list, inMemory, block, exposure);
         } else {
-            int rgb = scene.get(SceneSettings.BACKGROUND).rgb();
+            int rgb = scene.background().rgb();
             target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
         }
         target.copyDepthFrom(buffer.attributes());
@@ -287,9 +299,7 @@ final class SkinSurface implements AutoCloseable {
         movingTarget.close();
         movingPrograms.values().forEach(ShaderProgram::close);
         texture.ifPresent(VirtualTexture::close);
-        if (program != null) {
-            program.close();
-        }
+        programs.values().forEach(ShaderProgram::close);
         method.close();
     }
 

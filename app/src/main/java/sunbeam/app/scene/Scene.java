@@ -129,9 +129,9 @@ public record Scene(
         return looks;
     }
 
-    /** True if the ground is drawn with the current object's look: it has the first body of all. */
+    /** True if ground and visible environment are drawn with the current object's look: it has the first body of all. */
     public boolean drawsGround() {
-        return ground().isPresent()
+        return (ground().isPresent() || showsEnvironment())
                 && hasBody()
                 && objects.subList(0, current).stream().noneMatch(object -> hasBody(object.settings()));
     }
@@ -296,6 +296,15 @@ public record Scene(
     /** Radiance of the zenith, which gloss reflects, relative to white under the light. */
     public double sky() {
         return drawsSurroundings() ? get(SceneSettings.SKY) : 0;
+    }
+
+    /** Returns the color behind the mesh; black if the environment is seen there. */
+    public SceneColor background() {
+        return get(SceneSettings.BACKGROUND).orElse(new SceneColor(0));
+    }
+
+    public boolean showsEnvironment() {
+        return hasEnvironment() && get(SceneSettings.BACKGROUND).isEmpty();
     }
 
     /** True if an environment lights the scene, in place of its lights. */

@@ -41,7 +41,9 @@ public final class SceneSettings {
             new Setting<>("title", ValueKind.text("TITLE"), "For people.").withStandard("");
 
     public static final Setting<String> MESH = new Setting<>(
-            "mesh", ValueKind.text("MESH"), "snake, plane, sphere, cylinder, disc, or a file: OBJ, PLY, glTF.");
+            "mesh",
+            ValueKind.text("MESH"),
+            "snake, plane, sphere, ellipsoid, cylinder, disc, or a file: OBJ, PLY, glTF.");
 
     public static final Setting<MeshSource.Unit> MESH_UNIT = new Setting<>(
                     "meshUnit",
@@ -144,11 +146,7 @@ public final class SceneSettings {
 
     public static final Setting<Optional<SceneColor>> GROUND = new Setting<>(
                     "ground",
-                    ValueKind.<Optional<SceneColor>>text(
-                            "#rrggbb",
-                            text -> text.strip().equals(NONE) ? Optional.empty() : Optional.of(SceneColor.parse(text)),
-                            color -> color.map(SceneColor::toString).orElse(NONE),
-                            "none or #rrggbb"),
+                    colorOr(NONE),
                     "Color of the ground on which the mesh lies, or none; preset thesis has none.")
             .withStandard(Optional.empty());
 
@@ -203,11 +201,12 @@ public final class SceneSettings {
     public static final Setting<Boolean> KEEPS_SURROUNDINGS =
             new Setting<>("keepsSurroundings", ValueKind.flag(), "").withStandard(false);
 
-    public static final Setting<SceneColor> BACKGROUND = new Setting<>(
+    /** Empty to show the environment. */
+    public static final Setting<Optional<SceneColor>> BACKGROUND = new Setting<>(
                     "background",
-                    ValueKind.text("#rrggbb", SceneColor::parse, SceneColor::toString, "#rrggbb"),
-                    "Color behind the mesh; exposure does not change it.")
-            .withStandard(new SceneColor(0));
+                    colorOr("environment"),
+                    "Color behind the mesh; exposure does not change it. Or environment, to see that.")
+            .withStandard(Optional.of(new SceneColor(0)));
 
     /** Radians. */
     static final Setting<Double> FIELD_OF_VIEW = new Setting<>(
@@ -291,6 +290,14 @@ public final class SceneSettings {
     /** Names of built-in environments, and of none. */
     public static List<String> environments() {
         return Stream.concat(RadianceMap.builtIn().stream(), Stream.of(NONE)).toList();
+    }
+
+    private static ValueKind<Optional<SceneColor>> colorOr(String word) {
+        return ValueKind.text(
+                "#rrggbb",
+                text -> text.strip().equals(word) ? Optional.empty() : Optional.of(SceneColor.parse(text)),
+                color -> color.map(SceneColor::toString).orElse(word),
+                word + " or #rrggbb");
     }
 
     private static Setting<Double> weight(String name, String help, double standard) {

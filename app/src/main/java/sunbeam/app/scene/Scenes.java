@@ -43,9 +43,10 @@ import sunbeam.precompute.units.Lengths;
 
 /** Finds built-in scenes and reads scene files (docs/scenes.md); messages name file, line and key. */
 public final class Scenes {
-    private static final List<String> NAMES = List.of(("close-up disc elaphe elaphe-body elaphe-scales xenopeltis"
-                    + " xenopeltis-body xenopeltis-scales light-left light-above light-right")
-            .split(" ", -1));
+    private static final List<String> NAMES =
+            List.of(("close-up cabinet disc elaphe elaphe-body elaphe-scales xenopeltis"
+                            + " xenopeltis-body xenopeltis-scales light-left light-above light-right")
+                    .split(" ", -1));
 
     // Meters; also of a component of a direction.
     private static final double LARGEST_NUMBER = 1e6;

@@ -3,12 +3,14 @@ package sunbeam.app.viewer;
 import java.awt.image.BufferedImage;
 import java.util.EnumSet;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import javax.swing.SwingUtilities;
 import jrtr.GraphicsException;
 import sunbeam.app.render.LineDrawings.LightCone;
 import sunbeam.app.render.SceneData;
+import sunbeam.app.render.SceneSession;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.loop.RenderLoop;
@@ -226,6 +228,16 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         }
     }
 
+    /** Such as "8 of 512 lights": of an environment's lights a moving picture has few. */
+    private String lights(ViewState state) {
+        if (!state.firstPart().scene().hasEnvironment()) {
+            return "";
+        }
+        OptionalInt all =
+                completed == null ? OptionalInt.empty() : completed.picture().lights();
+        return " · " + SceneSession.MOVING_LIGHTS + (all.isPresent() ? " of " + all.getAsInt() : "") + " lights";
+    }
+
     @Override
     public void preview(ViewState state, Stage.Preview preview) {
         if (state.isOther()) {
@@ -238,7 +250,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             window.controls.exposureInUse(preview.exposure());
         }
         viewer.journal.reached(preview.hasColors() ? "first picture" : "body");
-        window.status.preview(preview.divisor(), isNew);
+        window.status.preview(preview.divisor(), isNew, lights(state));
         map.request(false);
         // Runs after Swing has painted the picture.
         SwingUtilities.invokeLater(() -> measurement.ifPresent(measured -> measured.shown(state, preview.divisor())));
@@ -265,7 +277,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         followFinal();
         if (state == requested) {
             map.request(true);
-            window.status.complete(finished.nanoseconds());
+            window.status.complete(finished.nanoseconds(), picture.lights());
             requestStrokes();
             splitView.begin(finished);
         }

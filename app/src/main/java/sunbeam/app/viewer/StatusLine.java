@@ -7,6 +7,7 @@ import java.io.File;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -71,8 +72,11 @@ public final class StatusLine extends JPanel {
         caption.setToolTipText(sentence.isBlank() ? null : sentence);
     }
 
-    /** @param moves true if the picture's state is newer than that of the last one */
-    void preview(double divisor, boolean moves) {
+    /**
+     * @param moves true if the picture's state is newer than that of the last one
+     * @param lights words about the lights of an environment, or none
+     */
+    void preview(double divisor, boolean moves, String lights) {
         if (!moves) {
             report("Preview" + scale(divisor));
             return;
@@ -81,7 +85,7 @@ public final class StatusLine extends JPanel {
         frames++;
         if (rateStart == 0 || now - rateStart > TEXT_INTERVAL) {
             rate = rateStart == 0 ? "" : Text.format(" · %.0f frames/s", frames / ((now - rateStart) * 1e-9));
-            show("Preview" + scale(divisor) + rate);
+            show("Preview" + scale(divisor) + lights + rate);
             frames = 0;
             rateStart = now;
         }
@@ -109,8 +113,9 @@ public final class StatusLine extends JPanel {
                 : "";
     }
 
-    void complete(long nanoseconds) {
-        report(Text.format("Final after %.1f s", nanoseconds * 1e-9) + rate.replace(" · ", " · moved at "));
+    void complete(long nanoseconds, OptionalInt lights) {
+        String ofLights = lights.isPresent() ? Text.format(" · %d lights", lights.getAsInt()) : "";
+        report(Text.format("Final after %.1f s", nanoseconds * 1e-9) + ofLights + rate.replace(" · ", " · moved at "));
     }
 
     void outdated() {

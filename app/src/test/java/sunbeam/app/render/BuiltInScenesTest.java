@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import jrtr.Tile;
 import jrtr.VertexData.BoundingSphere;
 import jrtr.scene.View;
 import org.joml.Matrix4f;
@@ -91,14 +92,16 @@ class BuiltInScenesTest extends InAScene {
                 .map(BuiltInScenesTest::byFull)
                 .sorted(Comparator.comparing((Scene scene) -> scene.patch().toString()))
                 .toList();
-        SceneData data = loader.parts(scenes.get(0), BackgroundTask.start(() -> loader.shape(scenes.get(0))))
-                .get(0);
-        try (SceneSession session = new SceneSession(context, data)) {
-            for (Scene scene : scenes) {
-                data = loader.parts(scene, List.of(data), share -> {}).get(0);
-                session.update(data);
-                float[] pixels = picture(session, 24, 18).rgba();
+        List<SceneData> parts = loader.parts(scenes.get(0), BackgroundTask.start(() -> loader.shape(scenes.get(0))));
+        for (Scene scene : scenes) {
+            parts = loader.parts(scene, parts, share -> {});
+            List<SceneSession> sessions = SceneSession.all(context, parts);
+            try {
+                DrawRequest whole = DrawRequest.ofPixels(scene, 24, 18, Tile.whole(24, 18), 1);
+                float[] pixels = new PartSum(sessions).draw(whole).rgba();
                 assertThat(isColored(pixels)).as(scene.get(SceneSettings.TITLE)).isTrue();
+            } finally {
+                sessions.forEach(SceneSession::close);
             }
         }
     }

@@ -14,6 +14,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
+import jrtr.Tile;
 import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
@@ -178,6 +179,37 @@ class EnvironmentTest extends InAScene {
         assertThat(LightList.of(onGround, map).white()).isZero();
         float[] drawn = drawn(onGround, SIZE, SIZE);
         assertThat(drawn[4 * (SIZE * SIZE / 2 + SIZE / 2) + 1]).isZero();
+    }
+
+    @Test
+    void theEnvironmentIsSeenBehindTheModel() throws IOException {
+        Scene scene = under(table(Weights.of(0, 1, 1, 0)), white(), 64);
+        float[] hidden = drawn(scene, SIZE, SIZE);
+        float[] seen = drawn(scene.with(SceneSettings.BACKGROUND, Optional.empty()), SIZE, SIZE);
+        // The corner shows no mesh. float32 of colors that go to Rec. 709 and back.
+        assertThat(hidden[3]).isZero();
+        assertThat((double) seen[1]).isCloseTo(WHITE, within(1e-4));
+        assertThat(seen[3]).isCloseTo(1, within(1e-4f));
+        Scene without = blaze().with(SceneSettings.BACKGROUND, Optional.empty());
+        assertThatThrownBy(() -> load(without))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("the scene has none");
+    }
+
+    /** Samples of a pixel have a quarter of the lights each, and together all of them. */
+    @Test
+    void samplesThatShareTheLightsHaveTheirSum() throws IOException {
+        Scene scene = under(table(Weights.of(0, 1, 1, 0)), white(), 256);
+        try (SceneSession session = session(scene)) {
+            DrawRequest one = DrawRequest.ofPixels(scene, 5, 5, new Tile(2, 2, 1, 1), 1);
+            DrawRequest four = DrawRequest.ofPixels(scene, 5, 5, new Tile(2, 2, 1, 1), 2);
+            double whole = session.draw(one).rgba()[1];
+            float[] samples = session.draw(four).rgba();
+            double mean = (samples[1] + samples[5] + samples[9] + samples[13]) / 4.0;
+            // The plane's normal is the same at all samples; their directions to the viewer, on which gloss depends,
+            // differ.
+            assertThat(mean).isCloseTo(whole, within(0.005 * whole));
+        }
     }
 
     @Test

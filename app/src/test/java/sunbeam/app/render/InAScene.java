@@ -55,7 +55,7 @@ public abstract class InAScene extends InAContext {
                 .with(SceneSettings.MESH, "plane")
                 .with(SceneSettings.TEXTURE, "none")
                 .with(SceneSettings.EXPOSURE, OptionalDouble.of(1))
-                .with(SceneSettings.BACKGROUND, new SceneColor(0x204060))
+                .with(SceneSettings.BACKGROUND, Optional.of(new SceneColor(0x204060)))
                 .over(DIFFRACTION_ONLY);
         return new Scene(
                 own,

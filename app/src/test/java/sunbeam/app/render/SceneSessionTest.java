@@ -212,9 +212,9 @@ class SceneSessionTest extends InAScene {
         PixelSamples adaptive = new PixelSamples(4, List.of(4, 8));
         try (SceneSession session = session(scene)) {
             PartSum sum = new PartSum(List.of(session));
-            PixelPicture first = new PixelPicture(SIZE, SIZE, scene.display(1), scene.get(SceneSettings.BACKGROUND));
+            PixelPicture first = new PixelPicture(SIZE, SIZE, scene.display(1), scene.background());
             BitSet unsure = first.setAll(sum.draw(DrawRequest.first(scene, SIZE, SIZE, whole, adaptive)), 1, 4);
-            PixelPicture all = new PixelPicture(SIZE, SIZE, scene.display(1), scene.get(SceneSettings.BACKGROUND));
+            PixelPicture all = new PixelPicture(SIZE, SIZE, scene.display(1), scene.background());
             BitSet still = all.setAll(sum.draw(DrawRequest.ofPixels(scene, SIZE, SIZE, whole, 4)), 4, 4);
             PixelPicture most = sum.draw(scene, SIZE, SIZE, whole, PixelSamples.uniform(8), 1);
             PixelPicture drawn = sum.draw(scene, SIZE, SIZE, whole, adaptive, 1);

@@ -10,12 +10,11 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
-import sunbeam.app.scene.SceneSettings;
 
 /** Pixels of pictures, and files of patches. */
 final class Pictures {
     private static final int BACKGROUND =
-            0xff000000 | ViewerInAWindow.scene().get(SceneSettings.BACKGROUND).rgb();
+            0xff000000 | ViewerInAWindow.scene().background().rgb();
 
     private Pictures() {}
 

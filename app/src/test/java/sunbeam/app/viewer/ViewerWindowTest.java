@@ -200,7 +200,7 @@ final class ViewerWindowTest extends ViewerInAWindow {
     void bothSidesHaveTheGround() throws Exception {
         change(scene -> scene.with(Choices.none()
                 .with(SceneSettings.GROUND, Optional.of(SceneColor.parse("#a0a0a0")))
-                .with(SceneSettings.BACKGROUND, SceneColor.parse("#ff00ff"))
+                .with(SceneSettings.BACKGROUND, Optional.of(SceneColor.parse("#ff00ff")))
                 .with(SceneSettings.SKY, 0.5)
                 .with(SceneSettings.SHADOWS, true)));
         awaitFinal();

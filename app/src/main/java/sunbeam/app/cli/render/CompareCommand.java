@@ -128,7 +128,7 @@ public final class CompareCommand extends FileCommand {
         Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
         ScenePicture picture = draw(loader, scene, drawn);
         PhotoComparison comparison = PhotoComparison.of(linear, picture, Optional.ofNullable(factor));
-        Drawing sheet = sheet(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
+        Drawing sheet = sheet(linear.picture(), picture, comparison, scene.background());
         String sizes = Text.oneLine(photo.getFileName().toString()) + ", " + photograph.width() + "x"
                 + photograph.height() + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
         String caption = SceneWriter.caption(scene);

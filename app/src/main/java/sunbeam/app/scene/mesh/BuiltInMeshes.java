@@ -10,7 +10,7 @@ public final class BuiltInMeshes {
     private BuiltInMeshes() {}
 
     public static List<String> names() {
-        return List.of("snake", "plane", "sphere", "cylinder", "disc");
+        return List.of("snake", "plane", "sphere", "ellipsoid", "cylinder", "disc");
     }
 
     public static Mesh create(String name) {
@@ -18,6 +18,7 @@ public final class BuiltInMeshes {
             case "snake" -> Snake.create();
             case "plane" -> plane(0.2, 8);
             case "sphere" -> sphere(0.1, 96, 48);
+            case "ellipsoid" -> ellipsoid(0.1, 0.065, 0.045, 96, 48);
             case "cylinder" -> cylinder(0.1, 0.2, 96, 24);
             case "disc" -> disc(256, 16);
             default -> throw new IllegalArgumentException(name);
@@ -41,6 +42,20 @@ public final class BuiltInMeshes {
             double outward = v == 0 || v == 1 ? 0 : Math.sin(Math.PI * v);
             double upward = -Math.cos(Math.PI * v);
             return new Profile(radius * outward, radius * upward, outward, upward);
+        });
+    }
+
+    /** A sphere, stretched along each axis. */
+    private static Mesh ellipsoid(double halfX, double halfY, double halfZ, int columns, int rows) {
+        return Mesh.Builder.grid(columns, rows, true, (u, v) -> {
+            // Both sides of the seam have bitwise equal points.
+            double angle = u == 1 ? 0 : 2 * Math.PI * u;
+            double outward = v == 0 || v == 1 ? 0 : Math.sin(Math.PI * v);
+            Vector3d unit = new Vector3d(outward * Math.cos(angle), outward * Math.sin(angle), -Math.cos(Math.PI * v));
+            Vector3d place = new Vector3d(halfX * unit.x, halfY * unit.y, halfZ * unit.z);
+            Vector3d normal = new Vector3d(unit.x / halfX, unit.y / halfY, unit.z / halfZ).normalize();
+            Vector3d east = new Vector3d(-halfX * Math.sin(angle), halfY * Math.cos(angle), 0).normalize();
+            return new Mesh.Builder.Point(place, normal, east);
         });
     }
 

@@ -3,6 +3,7 @@ package sunbeam.app.viewer.loop;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
@@ -19,6 +20,7 @@ import sunbeam.app.render.SceneShape;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.viewer.model.Background;
 
 /** Renderer of viewer states by OpenGL: owns the context, both methods' sessions and the drawing of the BRDF map. */
@@ -37,6 +39,9 @@ public final class GraphicsStage implements Stage {
     // One thread, since a color source may be bound to the thread that created it.
     private final Background baking = new Background("colors");
     private final CachedExposure exposures = new CachedExposure();
+    // Lights of the environment, and the scene for which they were counted; other views of it have as many.
+    private Optional<LightCount> count = Optional.empty();
+    private Scene countedFor;
     private final StageSessions own = new StageSessions(context);
     private final StageSessions other = new StageSessions(context);
     private StageSessions current = own;
@@ -196,8 +201,7 @@ public final class GraphicsStage implements Stage {
                     double exposure = exposureSoFar();
                     double side = samples().side();
                     double seconds = side * side * state.width() * state.height() * current.tiles.secondsPerPixel();
-                    BufferedImage image = PixelPicture.image(
-                            picture, scene().display(exposure), scene().get(SceneSettings.BACKGROUND));
+                    BufferedImage image = PixelPicture.image(picture, scene().display(exposure), scene().background());
                     return new Preview(image, stride, true, exposure, seconds);
                 });
     }
@@ -209,7 +213,12 @@ public final class GraphicsStage implements Stage {
         }
         int width = state.width();
         int height = state.height();
-        Optional<LightCount> count = LightCount.of(current.sum(), scene(), width, height, interrupted);
+        if (countedFor == null
+                || !SceneSharing.sharesParts(countedFor, scene())
+                || !countedFor.exposureInputs().equals(scene().exposureInputs())) {
+            count = LightCount.of(current.sum(), scene(), width, height, interrupted);
+            countedFor = interrupted.getAsBoolean() ? null : scene();
+        }
         Scene counted = count.map(found -> found.in(scene())).orElse(scene());
         if (interrupted.getAsBoolean()) {
             return Optional.empty();
@@ -225,7 +234,11 @@ public final class GraphicsStage implements Stage {
             whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
             drawn.drawn(tile, part, (double) done.addAndGet(tile.pixels()) / ((double) width * height));
         });
-        return isWhole ? Optional.of(new Final(whole, exposure)) : Optional.empty();
+        return isWhole ? Optional.of(new Final(whole, exposure, lights(counted))) : Optional.empty();
+    }
+
+    private static OptionalInt lights(Scene scene) {
+        return scene.hasEnvironment() ? scene.get(SceneSettings.ENVIRONMENT_LIGHTS) : OptionalInt.empty();
     }
 
     private Scene scene() {

@@ -2,6 +2,7 @@ package sunbeam.app.viewer.loop;
 
 import java.awt.image.BufferedImage;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import jrtr.Tile;
@@ -55,8 +56,12 @@ public interface Stage extends AutoCloseable {
      */
     record Preview(BufferedImage image, double divisor, boolean hasColors, double exposure, double secondsToFinal) {}
 
-    /** Final picture, equal to the picture of {@code render}. */
-    record Final(BufferedImage image, double exposure) {}
+    /**
+     * Final picture, equal to the picture of {@code render}.
+     *
+     * @param lights number of an environment's lights; empty for a scene with lights of its own
+     */
+    record Final(BufferedImage image, double exposure, OptionalInt lights) {}
 
     interface PartListener {
         /** Receives a tile and the share of all pixels that are done, 0 to 1. */

@@ -26,7 +26,7 @@ import sunbeam.app.scene.texture.ScaleRelief;
 class BuiltInMeshesTest {
     /** A facet tilts against the normals of its corners by half of its bend; most at a disc's edge, and at the point of the snake's snout. */
     @ParameterizedTest
-    @CsvSource({"plane, 0.001", "sphere, 6", "cylinder, 4", "disc, 30", "snake, 79"})
+    @CsvSource({"plane, 0.001", "sphere, 6", "ellipsoid, 9", "cylinder, 4", "disc, 30", "snake, 79"})
     void framesAreOrthonormalAndNormalsFaceOutwards(String name, double facetDegrees) {
         Mesh mesh = BuiltInMeshes.create(name);
 

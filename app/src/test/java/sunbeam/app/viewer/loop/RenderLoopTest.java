@@ -8,6 +8,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
@@ -263,7 +264,7 @@ final class RenderLoopTest {
                 }
                 drawn.drawn(Tile.whole(1, 1), image(), 0.3 * part);
             }
-            return Optional.of(new Final(image(), 1));
+            return Optional.of(new Final(image(), 1, OptionalInt.empty()));
         }
 
         @Override

@@ -31,6 +31,7 @@ public final class BuiltInPatches {
         GENERATORS.put("sinusoid", () -> grating(x -> 100e-9 * StrictMath.sin(2 * StrictMath.PI * x)));
         // Ridges of half the period have no even orders but 0; lambda / 4 at 550 nm darkens the mirror.
         GENERATORS.put("lamellar", () -> grating(x -> x < 0.5 ? 137.5e-9 : 0));
+        GENERATORS.put("lattice", BuiltInPatches::lattice);
         GENERATORS.put("disc", CompactDisc::generate);
         GENERATORS.put("bumps", () -> bumps(1024, 1024, 5));
         GENERATORS.put("elaphe-like", () -> FingerSkin.ELAPHE.generate());
@@ -45,6 +46,20 @@ public final class BuiltInPatches {
 
     public static HeightMap generate(String name) {
         return GENERATORS.get(name).get();
+    }
+
+    /** Hills and hollows in rows along both axes. */
+    private static HeightMap lattice() {
+        double[] heights = new double[ROWS * ROWS];
+        Arrays.setAll(heights, i -> {
+            int row = i / ROWS;
+            return 150e-9 * sine(i % ROWS) * sine(row);
+        });
+        return new HeightMap(ROWS, ROWS, PERIOD / ROWS, PERIOD / ROWS, heights);
+    }
+
+    private static double sine(int sample) {
+        return StrictMath.sin(2 * StrictMath.PI * (sample + 0.5) / ROWS);
     }
 
     /** Samples the profile at the middle of each interval of x in 0..1. */

@@ -35,7 +35,7 @@ class BuiltInPatchesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"sinusoid", "disc", "bumps", "elaphe-like", "xenopeltis-like"})
+    @ValueSource(strings = {"sinusoid", "lattice", "disc", "bumps", "elaphe-like", "xenopeltis-like"})
     void tilesWithoutASeam(String name) {
         HeightMap patch = BuiltInPatches.generate(name);
         int columns = patch.columns();
