@@ -252,7 +252,12 @@ enum Action {
                                     "", "<tr><td colspan='2'><u>" + group.title + "</u></td></tr>", "")))
                     .collect(Collectors.joining(
                             "<tr><td>&nbsp;</td></tr>", "<html><table cellpadding='1'>", "</table>"));
-            JScrollPane list = new JScrollPane(new JLabel(rows.replace("<td>", "<td style='font-weight:normal'>")));
+            JLabel table = new JLabel(rows.replace("<td>", "<td style='font-weight:normal'>"));
+            JScrollPane list = new JScrollPane(table);
+            int room = window.getWidth() - 120;
+            if (table.getPreferredSize().width > room) {
+                table.setText(table.getText().replace("<table ", "<table width='" + room + "' "));
+            }
             Dimension whole = list.getPreferredSize();
             list.setPreferredSize(new Dimension(
                     Math.min(whole.width + 24, window.getWidth() - 80),

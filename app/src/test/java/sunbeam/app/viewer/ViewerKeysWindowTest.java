@@ -12,9 +12,11 @@ import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Predicate;
+import javax.swing.JDialog;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.joml.Vector3f;
@@ -49,6 +51,20 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         awaitLightOther(up);
         press(KeyEvent.VK_LEFT);
         await(() -> seenLight().distance(first) < ROUNDING);
+    }
+
+    @Test
+    void theHelpOfASmallWindowBreaksItsLinesAndScrollsOnlyVertically() throws Exception {
+        onEvents(() -> viewer.window.setSize(800, 600));
+        press(KeyEvent.VK_F1);
+        JDialog help = Dialogs.await("Mouse and keys");
+        onEvents(() -> {
+            JScrollPane list = Dialogs.find(help, JScrollPane.class, any -> true);
+            assertThat(list.getHorizontalScrollBar().isVisible()).isFalse();
+            assertThat(list.getVerticalScrollBar().isVisible()).isTrue();
+            assertThat(help.getHeight()).isLessThanOrEqualTo(600);
+        });
+        Dialogs.answer("Mouse and keys", "OK");
     }
 
     private Vector3f seenLight() throws Exception {
