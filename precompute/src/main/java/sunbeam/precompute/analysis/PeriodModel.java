@@ -37,11 +37,16 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
 
     /** Empty if no accepted wave fits twice into the scan. */
     static Optional<GratingPeriod> of(HeightMap scan, Hypothesis asked) {
-        Optional<GratingPeriod> leveled = TerraceEdges.removed(scan).flatMap(level -> robust(level, asked));
-        Optional<GratingPeriod> raw =
-                leveled.filter(GratingPeriod::isSure).isPresent() ? Optional.empty() : robust(scan, asked);
+        Optional<GratingPeriod> leveled =
+                TerraceEdges.removed(scan).flatMap(level -> model(level, asked).strongest(false));
+        if (leveled.filter(GratingPeriod::isSure).isPresent()) {
+            return leveled;
+        }
+        Optional<GratingPeriod> raw = model(scan, asked).strongest(true);
+        boolean isOrder = leveled.filter(found -> found.certainty() != GratingPeriod.Certainty.NONE)
+                .isPresent();
         Optional<GratingPeriod> best =
-                raw.filter(found -> found.isBetterThan(leveled)).or(() -> leveled);
+                raw.filter(found -> !isOrder || found.isBetterThan(leveled)).or(() -> leveled);
         return best.filter(GratingPeriod::isSure).or(() -> few(scan, asked)).or(() -> best);
     }
 
@@ -51,15 +56,15 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
                         .tooLittle(Reasons.few(wave.periodsIn(scan), wave)));
     }
 
-    private static Optional<GratingPeriod> robust(HeightMap scan, Hypothesis asked) {
+    private static PeriodModel model(HeightMap scan, Hypothesis asked) {
         HeightMap robust = RobustHeights.of(scan);
         Predicate<SpatialFrequency> visible =
                 wave -> asked.test(wave) && wave.length() * HeightSpectrum.SHORTEST_PERIOD <= 1;
-        return new PeriodModel(robust, new WaveSearch(robust, visible), asked).strongest();
+        return new PeriodModel(robust, new WaveSearch(robust, visible), asked);
     }
 
     /** Judges the highest peaks, of which those of waviness and defects may be higher than a grating's; the first that is order wins. */
-    private Optional<GratingPeriod> strongest() {
+    private Optional<GratingPeriod> strongest(boolean withLimit) {
         Optional<GratingPeriod> best = Optional.empty();
         List<SpatialFrequency> tried = search.peaks(wave -> wave.periodsIn(scan) >= FEWEST_TRIED, MOST_TRIED);
         for (SpatialFrequency line : tried) {
@@ -72,7 +77,7 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
                 break;
             }
         }
-        return best.map(found -> found.certainty() == GratingPeriod.Certainty.NONE
+        return best.map(found -> withLimit && found.certainty() == GratingPeriod.Certainty.NONE
                 ? found.excluding(WaveLimit.of(search.measures(), tried))
                 : found);
     }
