@@ -37,6 +37,7 @@ record LineMeasures(
     private static final double FALSE_ALARMS = 0.01;
     // Along an axis: power in a Hann window's line over that of its peak.
     private static final double HANN_BINS = 1.5;
+    private static final double HANN_REACH = 2.4;
     // Bins between a line and the alias that makes it.
     private static final double NEAR_ALIAS = 1.5;
     // Sectors of 15 degrees in half a turn: rows of a snake's scale stray by 8.
@@ -208,6 +209,41 @@ record LineMeasures(
                         Math.max(spectrum.at(x, jy), Math.max(spectrum.at(x - 1, jy), spectrum.at(x + 1, jy))))
                 .toArray();
         return powers.length == 0 ? 0 : Quantiles.of(powers, 0.5);
+    }
+
+    /**
+     * Whether a line between a wave's orders exceeds what uneven lines have there by chance: in each independent bin along the wave a power
+     * that is distributed exponentially, so that its ratio to the mean of others follows Fisher's distribution. False where no bin is left
+     * beside the lines.
+     *
+     * @param lines the wave's longer period in question and its overtones
+     * @param chance that a line of uneven lines is taken for one of order
+     */
+    boolean exceedsChance(SpatialFrequency line, SpatialFrequency wave, List<SpatialFrequency> lines, double chance) {
+        int steps = (int) Math.rint(2 * wave.periodsIn(scan)); // of half a bin
+        double independent = 0;
+        double sum = 0;
+        int count = 0;
+        boolean goesOn = false;
+        for (int step = 1; step < steps; step++) {
+            SpatialFrequency place = wave.times((double) step / steps);
+            boolean isFree = isBesideLine(place, new SpatialFrequency(0, 0))
+                    && lines.stream().allMatch(other -> isBesideLine(place, other));
+            if (isFree) {
+                independent += goesOn ? 0.5 / HANN_BINS : 1;
+                sum += spectrum.at(
+                        (int) Math.rint(place.x() * spectrum.width()), (int) Math.rint(place.y() * spectrum.height()));
+                count++;
+            }
+            goesOn = isFree;
+        }
+        double limit = independent * (Math.pow(chance, -1 / independent) - 1);
+        return count > 0 && top(line) >= limit * sum / count;
+    }
+
+    /** Whether a Hann window leaves less than a thousandth of a line's power at a place. */
+    private boolean isBesideLine(SpatialFrequency place, SpatialFrequency line) {
+        return Math.hypot((place.x() - line.x()) / binX, (place.y() - line.y()) / binY) > HANN_REACH;
     }
 
     /** Height of a peak over the median of the bins 3 to 6 bins of the scan from it. */

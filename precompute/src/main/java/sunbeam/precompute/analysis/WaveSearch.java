@@ -26,10 +26,9 @@ record WaveSearch(HeightMap scan, LineMeasures measures) {
     private static final double WEAK_FUNDAMENTAL = 0.04;
     private static final double SIGNIFICANT = 40;
     private static final double PROMINENT = 10;
-    // A fainter fundamental must exceed chance. Uneven lines have a random, exponentially distributed power between
-    // their orders, whose maximum of four bins exceeds 16 times the median in 6 of 100,000 scans. A median of three
-    // bins, as six periods have beside them, may be three times too low.
-    private static final double FAINT_PROMINENT = 50;
+    // That a difference of uneven lines is taken for one that repeats, for each of the three lines that are tried: in 1
+    // of 1000 scans.
+    private static final double CHANCE = 0.0003;
     private static final double FEWEST_OF_FAINT = 6;
     // Power: a twentieth of the amplitude. Leveling and windows leave less of a pure wave between its orders.
     private static final double FAINTEST_FUNDAMENTAL = 0.0025;
@@ -127,7 +126,8 @@ record WaveSearch(HeightMap scan, LineMeasures measures) {
         boolean isStrong = power >= LEAST_FUNDAMENTAL && measures.contrast(line) >= LEAST_CONTRAST;
         boolean isSeen = isStrong
                 || (measures.significance(line) >= SIGNIFICANT
-                        && measures.prominence(line, others) >= (isFaint ? FAINT_PROMINENT : PROMINENT));
+                        && measures.prominence(line, others) >= PROMINENT
+                        && measures.exceedsChance(line, wave, others, CHANCE));
         return isSeen && !isAlias && PhaseSlope.isSteady(scan, line);
     }
 
