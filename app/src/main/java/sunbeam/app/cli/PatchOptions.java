@@ -281,7 +281,8 @@ public final class PatchOptions extends SettingOptions {
                         "the folder " + folder
                                 + " has no scan; folders below it and hidden files do not count, name the folder of the scans");
                 return files.stream()
-                        .filter(file -> !described.contains(file.normalize()))
+                        .filter(file -> !described.contains(file.normalize())
+                                || heights(file).isPresent())
                         .map(Path::toString)
                         .toList();
             } catch (IOException failure) {

@@ -140,6 +140,15 @@ final class CollectionTest extends CommandLineFixture {
         assertThat(column("message").get(2)).contains("missing.gsf", "existing file");
     }
 
+    @Test
+    void aDescriptorOfItselfIsARow() throws IOException {
+        Files.writeString(scans.resolve("a.json"), "{\"heights\": \"a.json\", \"width\": \"10 um\"}");
+
+        assertThat(inspect("@scans")).isEqualTo(4);
+
+        assertThat(column("exit_code")).containsExactly("4", "0");
+    }
+
     /** Noise has no period that evaluate could measure. */
     @Test
     void aSurfaceWithoutPeriodHasInspectsVerdictInEvaluatesTable() throws IOException {
