@@ -149,22 +149,14 @@ final class Ground implements AutoCloseable {
 
     private void set(
             ShaderProgram to, Scene scene, SkinGeometry geometry, LightList lights, LightTexture inMemory, Tile block) {
-        Matrix4fc toWorld = SceneGraph.modelToWorld(scene.orientation(), bounds.center());
-        float reach = (float) SkyVisibility.GROUND_REACH * bounds.radius();
-        Vector3fc center = bounds.center();
+        Map<String, Vector3f> placed = place(scene, bounds, height);
         geometry.applyRaysTo(to, block);
         to.set("eye", scene.view().camera().centerOfProjection());
-        to.set("groundMiddle", toWorld.transformPosition(new Vector3f(center.x(), center.y(), (float) height)));
-        to.set("groundAcross", toWorld.transformDirection(new Vector3f(reach, 0, 0)));
-        to.set("groundAlong", toWorld.transformDirection(new Vector3f(0, reach, 0)));
-        Vector3f normal = toWorld.transformDirection(new Vector3f(0, 0, 1));
-        to.set("groundNormal", normal);
-        double[] color = scene.ground().orElse(scene.background()).light();
+        placed.forEach(to::set);
         to.set("showsGround", scene.ground().isPresent() ? 1f : 0f);
         to.set("showsEnvironment", scene.showsEnvironment() ? 1f : 0f);
         to.set("skyWeight", (float) lights.skyWeight());
         SkinSurface.setSky(to, scene);
-        to.set("groundColor", new Vector3f((float) color[0], (float) color[1], (float) color[2]));
         to.set("horizonColor", inMemory.horizon().mul((float) lights.skyWeight(), new Vector3f()));
         to.set("ambientWeight", (float) scene.ambient());
         to.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());
@@ -173,13 +165,27 @@ final class Ground implements AutoCloseable {
         to.set("groundAmbient", ambient);
         float[] direct = new float[3 * LightList.MOST_GROUPS];
         for (int i = 0; i < lights.groups().size(); i++) {
-            Vector3f lit = lights.groups().get(i).onPlane(normal);
+            Vector3f lit = lights.groups().get(i).onPlane(placed.get("groundNormal"));
             for (int c = 0; c < 3; c++) {
                 direct[3 * i + c] = lit.get(c);
             }
         }
         to.set("groundLights", direct);
         to.set("lightGroups", lights.groups().size());
+    }
+
+    /** Returns the uniforms of the ground's place in world space, and its color. */
+    static Map<String, Vector3f> place(Scene scene, BoundingSphere bounds, double height) {
+        Matrix4fc toWorld = SceneGraph.modelToWorld(scene.orientation(), bounds.center());
+        float reach = (float) SkyVisibility.GROUND_REACH * bounds.radius();
+        Vector3fc center = bounds.center();
+        double[] color = scene.ground().orElse(scene.background()).light();
+        return Map.of(
+                "groundMiddle", toWorld.transformPosition(new Vector3f(center.x(), center.y(), (float) height)),
+                "groundAcross", toWorld.transformDirection(new Vector3f(reach, 0, 0)),
+                "groundAlong", toWorld.transformDirection(new Vector3f(0, reach, 0)),
+                "groundNormal", toWorld.transformDirection(new Vector3f(0, 0, 1)),
+                "groundColor", new Vector3f((float) color[0], (float) color[1], (float) color[2]));
     }
 
     @Override

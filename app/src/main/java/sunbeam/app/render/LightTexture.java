@@ -130,23 +130,28 @@ final class LightTexture implements AutoCloseable {
         if (shownSky.filter(old -> old.equals(map)).isPresent()) {
             return;
         }
-        float[] rgb = new float[CHANNELS * SKY_SIDE * SKY_SIDE];
-        IntStream.range(0, SKY_SIDE * SKY_SIDE).parallel().forEach(i -> {
-            Vector3f mean = new Vector3f();
-            for (int point = 0; point < SKY_POINTS * SKY_POINTS; point++) {
-                int row = i / SKY_SIDE;
-                int down = point / SKY_POINTS;
-                double x = i % SKY_SIDE + (point % SKY_POINTS + 0.5) / SKY_POINTS;
-                double y = row + (down + 0.5) / SKY_POINTS;
-                mean.add(map.radiance(fromOctahedron(2 * x / SKY_SIDE - 1, 2 * y / SKY_SIDE - 1)));
-            }
-            for (int c = 0; c < 3; c++) {
-                rgb[CHANNELS * i + c] = mean.get(c) / (SKY_POINTS * SKY_POINTS);
-            }
-        });
-        sky.upload(rgb);
+        sky.upload(octahedron(map, SKY_SIDE));
         horizon = map.horizon();
         shownSky = Optional.of(map);
+    }
+
+    /** Returns RGBA of a map on the square of include/octahedron.glsl, by rows. */
+    static float[] octahedron(RadianceMap map, int side) {
+        float[] rgba = new float[CHANNELS * side * side];
+        IntStream.range(0, side * side).parallel().forEach(i -> {
+            Vector3f mean = new Vector3f();
+            for (int point = 0; point < SKY_POINTS * SKY_POINTS; point++) {
+                int row = i / side;
+                int down = point / SKY_POINTS;
+                double x = i % side + (point % SKY_POINTS + 0.5) / SKY_POINTS;
+                double y = row + (down + 0.5) / SKY_POINTS;
+                mean.add(map.radiance(fromOctahedron(2 * x / side - 1, 2 * y / side - 1)));
+            }
+            for (int c = 0; c < 3; c++) {
+                rgba[CHANNELS * i + c] = mean.get(c) / (SKY_POINTS * SKY_POINTS);
+            }
+        });
+        return rgba;
     }
 
     /** As in include/octahedron.glsl. */

@@ -260,17 +260,11 @@ final class SkinSurface implements AutoCloseable {
                 program);
     }
 
-    /** For include/blend.glsl and include/sky.glsl. */
     private void setBlend(ShaderProgram program, Scene scene, LightList lights) {
-        program.set("diffractionWeight", (float) (scene.get(SceneSettings.DIFFRACTION) * diffractionScale));
-        program.set("textureWeight", scene.get(SceneSettings.TEXTURE_WEIGHT).floatValue());
-        program.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());
-        program.set("skyWeight", (float) (scene.hasBody() ? lights.skyWeight() : 0));
+        blend(scene, diffractionScale, lights).forEach(program::set);
         setSky(program, scene);
-        program.set("ambientWeight", (float) scene.ambient());
-        program.set("fresnelAlpha", scene.bodyAlpha() == BodyAlpha.FRESNEL ? 1f : 0f);
-        program.set("unlitTexture", scene.bodyAlpha() == BodyAlpha.DRAFT ? 1f : 0f);
-        setReflection(program, scene);
+        Optional<ReflectionPart> part = component.map(ReflectanceComponent::reflection);
+        part.map(SkinSurface::reflection).orElseGet(() -> reflection(scene)).forEach(program::set);
     }
 
     /** For include/sky.glsl. */
@@ -280,18 +274,34 @@ final class SkinSurface implements AutoCloseable {
         program.set("isEnvironment", scene.hasEnvironment() ? 1f : 0f);
     }
 
-    /** Reflectance of the index, or for an index by wavelength of this surface's component. */
-    private void setReflection(ShaderProgram program, Scene scene) {
-        if (component.isPresent()) {
-            ReflectionPart reflection = component.get().reflection();
-            program.set("mirrorWeight", (float) reflection.constant());
-            program.set("grazingWeight", (float) reflection.schlick());
-            return;
-        }
+    /** Returns the uniforms of include/blend.glsl, and the weight of include/sky.glsl. */
+    static Map<String, Float> blend(Scene scene, double diffractionScale, LightList lights) {
+        return Map.of(
+                "diffractionWeight",
+                (float) (scene.get(SceneSettings.DIFFRACTION) * diffractionScale),
+                "textureWeight",
+                scene.get(SceneSettings.TEXTURE_WEIGHT).floatValue(),
+                "diffuseWeight",
+                scene.get(SceneSettings.DIFFUSE).floatValue(),
+                "skyWeight",
+                (float) (scene.hasBody() ? lights.skyWeight() : 0),
+                "ambientWeight",
+                (float) scene.ambient(),
+                "fresnelAlpha",
+                scene.bodyAlpha() == BodyAlpha.FRESNEL ? 1f : 0f,
+                "unlitTexture",
+                scene.bodyAlpha() == BodyAlpha.DRAFT ? 1f : 0f);
+    }
+
+    /** Returns the uniforms of include/fresnel.glsl for an index that is the same at all wavelengths. */
+    static Map<String, Float> reflection(Scene scene) {
         RefractiveIndex index = scene.get(SceneSettings.INDEX).constant().orElseThrow();
         double normal = index.reflectance(CieTable.MINIMUM_WAVELENGTH);
-        program.set("mirrorWeight", 1f);
-        program.set("grazingWeight", (float) ((1 - normal) / normal));
+        return Map.of("mirrorWeight", 1f, "grazingWeight", (float) ((1 - normal) / normal));
+    }
+
+    private static Map<String, Float> reflection(ReflectionPart part) {
+        return Map.of("mirrorWeight", (float) part.constant(), "grazingWeight", (float) part.schlick());
     }
 
     @Override

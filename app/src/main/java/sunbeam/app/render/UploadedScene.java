@@ -242,16 +242,18 @@ final class UploadedScene implements AutoCloseable {
         }
 
         Material material() {
+            return new Material(Map.copyOf(uploaded), scales(body));
+        }
+
+        static Map<String, Float> scales(Body body) {
             boolean hasScales = body.scales() != Scales.NONE;
             double scalesPerUnit =
                     hasScales ? SnakeBody.scalesPerUnit(body.scales().rows()) : 0;
-            return new Material(
-                    Map.copyOf(uploaded),
-                    Map.of(
-                            "reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG),
-                            "reliefBegin", (float) (hasScales ? ScaleRelief.BEGIN : 0),
-                            "reliefSteepest", (float) (hasScales ? ScaleRelief.STEEPEST : 0),
-                            "reliefLightest", (float) ScaleRelief.LIGHTEST));
+            return Map.of(
+                    "reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG),
+                    "reliefBegin", (float) (hasScales ? ScaleRelief.BEGIN : 0),
+                    "reliefSteepest", (float) (hasScales ? ScaleRelief.STEEPEST : 0),
+                    "reliefLightest", (float) ScaleRelief.LIGHTEST);
         }
 
         @Override

@@ -1,6 +1,7 @@
 package sunbeam.app.cli.export;
 
 import static sunbeam.app.scene.SceneSettings.ENERGY;
+import static sunbeam.precompute.patch.PatchSettings.PATCH;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
@@ -19,6 +20,7 @@ import sunbeam.app.cli.FileCommand;
 import sunbeam.app.cli.MethodOptions;
 import sunbeam.app.cli.PatchOptions;
 import sunbeam.app.cli.SettingOptions;
+import sunbeam.app.cli.render.SceneOverrides;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
@@ -26,7 +28,12 @@ import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.gpu.colors.DiffractionSetup;
+import sunbeam.app.render.SceneLoader;
+import sunbeam.app.render.SceneLoader.LoadingScene;
+import sunbeam.app.render.WebScene;
 import sunbeam.app.scene.Energy;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -38,6 +45,8 @@ import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings;
@@ -54,6 +63,7 @@ import sunbeam.precompute.setting.ValueKind;
                 + " --size; if need be its light has a shorter coherence length, so that orders are wider. Each output"
                 + " states its content and its error against the exact reference. See docs/export.md.",
         footer = {
+            "  sunbeam export close-up --format html --output snake.html",
             "  sunbeam export blaze --format html --output page.html",
             "  sunbeam export scan.gwy --format npz --output colors.npz --size 50MB"
         })
@@ -62,6 +72,8 @@ public final class ExportCommand extends FileCommand {
     private static final int MOST_SAMPLES = 10_000;
     /** Bands of 10 nm from 380 to 780 nm. */
     private static final int BANDS = 41;
+    /** Of a page that opens in two seconds. */
+    private static final String SCENE_SIZE = "6MB";
 
     @Mixin
     private final PatchOptions patchOptions = new PatchOptions();
@@ -79,10 +91,17 @@ public final class ExportCommand extends FileCommand {
             paramLabel = "FORMAT",
             required = true,
             description =
-                    "One of npz, bsdf, html, glsl, osl. npz: arrays for NumPy. bsdf: the material measured of Mitsuba 3 and pbrt-v4. html: a page with a map and a sphere under a light that the mouse moves."
+                    "One of npz, bsdf, html, glsl, osl. npz: arrays for NumPy. bsdf: the material measured of Mitsuba 3 and pbrt-v4. html: a page of a scene, or with a map and a sphere of a surface."
                             + " glsl: a folder with a function in GLSL, HLSL and WGSL, its table as KTX2 and EXR, and a page that uses it."
                             + " osl: a folder with a shader in Open Shading Language and its table as EXR.")
     private Format format;
+
+    @Option(
+            names = "--scene",
+            paramLabel = "SCENE",
+            description =
+                    "For html: the scene that the page shows, in place of PATCH, where a patch has its name, too.")
+    private String sceneName;
 
     @Option(
             names = "--channels",
@@ -110,7 +129,8 @@ public final class ExportCommand extends FileCommand {
     @Option(
             names = "--size",
             paramLabel = "SIZE",
-            description = "Largest size of the output. Default: 100MB; 1MB for html, 50MB for glsl and osl.")
+            description =
+                    "Largest size of the output. Default: 100MB; 1MB for html, of a scene 6MB; 50MB for glsl and osl.")
     private String size;
 
     @Option(
@@ -146,23 +166,31 @@ public final class ExportCommand extends FileCommand {
                     + " has no divisor by direction of light; leave it out");
         }
         double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance;
-        TableWriter writer = writer(asked, tolerance);
-        long most = UsageException.parsed("--size ", () -> ByteSize.parse(size == null ? format.size : size));
-        GridBaker.Limit limit = new GridBaker.Limit(writer, output, most);
+        Optional<String> shown = sceneName();
+        long most = UsageException.parsed("--size ", () -> ByteSize.parse(size != null ? size : format.size(shown)));
         format.check(output, overwrite());
+        PrintWriter err = err();
+        long start = System.nanoTime();
+        Optional<Scene> scene = shown.map(name -> SceneOverrides.apply(
+                Scenes.load(name), asked.over(patchOptions.choices().without(PATCH))));
+        scene.ifPresent(found -> WebScene.check(found, shown.get()));
+        Optional<PageScene> page = scene.map(found -> page(found, shown.get(), most));
+        TableWriter writer = writer(asked, tolerance, page);
+        GridBaker.Limit limit = new GridBaker.Limit(writer, output, most);
         if (size != null) {
             limit.requireRoom(most);
         }
-        PrintWriter err = err();
-        long start = System.nanoTime();
-        DiffractionSetup setup =
-                new DiffractionSetup(patchOptions.load(asked), environment(), err).withLight(LightTable.of(asked));
+        Choices light =
+                scene.map(found -> found.method().choices().without(TOLERANCE)).orElse(asked);
+        Patch patch = page.map(PageScene::patch).orElseGet(() -> patchOptions.load(asked, environment(), err));
+        DiffractionSetup setup = new DiffractionSetup(patch, environment(), err).withLight(LightTable.of(light));
         Choices choices =
-                setup.limitToScan(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
+                setup.limitToScan(light.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
         ColorTablePlan plan = new TableMethod(tolerance, GaussianArea.of(choices))
                 .plan(setup.surface(), VisibleRange.all())
                 .colorTable()
-                .orElseThrow();
+                .orElseThrow()
+                .onRelief(scene.map(Scene::slopeDeviation).orElse(0.0));
         err.println("plan: " + plan.plan().summary() + "; a table of at most " + ByteSize.format(most));
         err.flush();
         GridBaker baker = new GridBaker(setup, plan);
@@ -170,16 +198,19 @@ public final class ExportCommand extends FileCommand {
         ColorGrid read = writer.asRead(grid);
         double width =
                 Math.max(Energy.SHORTEST_WINDOW, read.level().area().window().coherenceLength());
+        // The reference has no slopes.
+        Optional<Integer> exact = baker.slopeDeviation() > 0 ? Optional.of(0) : Optional.ofNullable(samples);
         TableMetadata metadata = new TableMetadata(
                 setup,
                 choices,
                 read,
+                baker.slopeDeviation(),
                 TableMetadata.GridErrors.of(
                         setup,
                         baker,
                         read,
                         writer.errorWeights(setup.cie()),
-                        Optional.ofNullable(samples),
+                        exact,
                         1e-9 * (System.nanoTime() - start)),
                 rule.divisor(setup.patch().heights(), RefractiveIndex.KERATIN, choices.with(COHERENCE_LENGTH, width)));
         TableWriter.Output table = writer.output(grid, baker, metadata);
@@ -202,7 +233,33 @@ public final class ExportCommand extends FileCommand {
         return ExitCode.TOLERANCE_MISSED.code();
     }
 
-    private TableWriter writer(Choices asked, double tolerance) {
+    /** Returns the scene that the page shows: of --scene, or PATCH that is no built-in patch, but a scene's name or file. */
+    private Optional<String> sceneName() {
+        Choices patch = patchOptions.choices();
+        String named = patch.has(PATCH) ? patch.get(PATCH) : "";
+        UsageException.throwIf(
+                sceneName != null && !named.isEmpty(),
+                "'" + named + "' and --scene both name what is shown; give one of them");
+        boolean isScene = sceneName == null
+                && !BuiltInPatches.names().contains(named)
+                && (Scenes.builtIn().contains(named) || (!named.isEmpty() && Scenes.isScene(Path.of(named))));
+        Optional<String> scene = isScene ? Optional.of(named) : Optional.ofNullable(sceneName);
+        scene.filter(name -> format != Format.HTML).ifPresent(name -> {
+            throw new UsageException(
+                    "'" + name + "' is a scene, which --format html shows; name its patch for " + format);
+        });
+        return scene;
+    }
+
+    private PageScene page(Scene scene, String name, long most) {
+        SceneLoader loader =
+                new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)), remark -> {});
+        try (LoadingScene loading = new LoadingScene(loader, scene)) {
+            return PageScene.of(loading, name, most);
+        }
+    }
+
+    private TableWriter writer(Choices asked, double tolerance, Optional<PageScene> page) {
         boolean isSpectral = format == Format.BSDF || channels == NpzTable.Channels.SPECTRAL;
         if (channels != null && format != Format.NPZ) {
             throw new UsageException("--channels " + ValueKind.name(channels) + " is for --format npz, and " + format
@@ -222,7 +279,7 @@ public final class ExportCommand extends FileCommand {
             }
             case BSDF ->
                 new BsdfTable(range, bands == null ? 0 : bands(range, bands).count());
-            case HTML -> new HtmlTable(tolerance);
+            case HTML -> new HtmlTable(tolerance, page);
             case GLSL, OSL -> new FolderTable(format == Format.GLSL);
         };
     }
@@ -252,6 +309,10 @@ public final class ExportCommand extends FileCommand {
         @Override
         public String toString() {
             return ValueKind.name(this);
+        }
+
+        String size(Optional<String> scene) {
+            return scene.isPresent() ? SCENE_SIZE : size;
         }
 
         void check(Path output, Overwrite overwrite) {

@@ -13,7 +13,9 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.GaussianPyramid;
 import sunbeam.precompute.colortable.RadialBaker;
+import sunbeam.precompute.colortable.SlopeBaker;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.spectrum.PowerSpectrum;
@@ -59,6 +61,8 @@ final class GridBaker {
     private final ColorTablePlan plan;
     private final PowerSpectrum spectrum;
     private final List<ColorTable.Level> levels;
+    // Made for the first baker that needs it.
+    private GaussianPyramid pyramid;
 
     /** @param plan plan with the ensemble average */
     GridBaker(DiffractionSetup setup, ColorTablePlan plan) {
@@ -135,8 +139,17 @@ final class GridBaker {
         return grid;
     }
 
+    /** Standard deviation of the slopes of fine relief that all grids average over; 0 for none. */
+    double slopeDeviation() {
+        return plan.table().slopeDeviation();
+    }
+
     /** Returns the baker of a level; its direct sums over wavelengths serve to measure a grid's error. */
     ColorBaker baker(CieTable functions, ColorTable.Level level) {
+        if (slopeDeviation() > 0) {
+            pyramid = pyramid == null ? new GaussianPyramid(spectrum, plan.table()) : pyramid;
+            return new SlopeBaker(spectrum, functions, pyramid, plan.table(), levels.indexOf(level));
+        }
         boolean isFinest = level.area().equals(plan.table().area());
         return new RadialBaker(spectrum, functions, level.area(), level.design(), GridShape.REACH, isFinest);
     }

@@ -2,38 +2,72 @@ package sunbeam.app.cli.export;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.util.Base64;
+import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.zip.Deflater;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.patch.Patch;
 
-/** A self-contained HTML page that draws a map and a sphere under a light that the mouse moves. */
+/**
+ * A self-contained HTML page (page.html, WebGL 2): a map and a sphere under a light, or a scene; a verdict before, the scan and errors below.
+ */
 final class HtmlTable implements TableWriter {
     // Quantization step of the colors' logarithms to base 2, per unit of tolerance.
     private static final double OCTAVES_PER_TOLERANCE = 0.5;
     // Lower bound of the compressed bytes per texel that directions reach.
     private static final double LEAST_BYTES = 0.3;
-    private static final int PAGE_BYTES = 20_000;
+    // Shaders, script and picture of the scan.
+    private static final int PAGE_BYTES = 110_000;
     // Limit of texels, as the graphics cards of telephones hold.
     private static final long MOST_TEXELS = 1 << 24;
+    // Halvings of a scene's table, for pixels that see many directions.
+    private static final int DOUBLINGS = 3;
 
     private final double tolerance;
+    private final Optional<PageScene> scene;
     // The last grid: its size and contents are needed several times, but compressed once. A writer's grids differ in
     // their level.
     private QuantizedGrid packed;
 
-    HtmlTable(double tolerance) {
+    /** @param scene what the page shows; empty for a map and a sphere */
+    HtmlTable(double tolerance, Optional<PageScene> scene) {
         this.tolerance = tolerance;
+        this.scene = scene;
     }
 
     @Override
     public long leastBytes(GridShape shape) {
-        return shape.allTexels() > MOST_TEXELS ? Long.MAX_VALUE : (long) (LEAST_BYTES * shape.evaluated());
+        return shape.allTexels() > MOST_TEXELS
+                ? Long.MAX_VALUE
+                : (long) (LEAST_BYTES * shape.evaluated()) + sceneBytes();
     }
 
     @Override
     public long bytes(ColorGrid grid) {
-        return PAGE_BYTES + 4L * packed(grid).packed().length / 3;
+        return PAGE_BYTES + 4L * packed(grid).packed().length / 3 + sceneBytes();
+    }
+
+    private long sceneBytes() {
+        return scene.map(PageScene::bytes).orElse(0L);
+    }
+
+    @Override
+    public GridShape fit(GridShape shape) {
+        int multiple = 1 << doublings();
+        return scene.isEmpty()
+                ? shape
+                : new GridShape(
+                        shape.u().padded(multiple), shape.v().padded(multiple), shape.depth(), shape.largestAngle());
+    }
+
+    private int doublings() {
+        return scene.isPresent() ? DOUBLINGS : 0;
     }
 
     @Override
@@ -54,23 +88,53 @@ final class HtmlTable implements TableWriter {
                 "square roots of CIE X, Y, Z of diffracted power, of logarithms in equal steps",
                 "square roots linear along u and v, their squares cubic along w");
         GridShape shape = grid.shape();
+        Patch patch = metadata.setup().patch();
         table.put("columns", shape.u().count());
         table.put("rows", shape.v().count());
         table.put("slices", shape.depth().count());
+        table.put("levels", 1 + doublings());
         table.put("octaves", OCTAVES_PER_TOLERANCE * tolerance);
         table.put("floor", QuantizedGrid.FLOOR);
         table.put("most", packed(grid).most());
         table.put("largest", Math.toDegrees(shape.largestAngle()));
         table.put("theta", metadata.theta());
-        table.put("exposure", metadata.exposure());
-        String function = ShaderText.Language.GLSL.translate(ShaderText.of("sunbeam.glsl", metadata, 0));
-        Map<String, String> values = Map.of(
-                // In a script element "</" would end the element.
-                "JSON", new ObjectMapper().valueToTree(table).toString().replace("<", "\\u003c"),
-                "SHADER", function + "\n" + ShaderText.read("display.glsl"),
-                "DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
-        String page = ShaderText.fill(ShaderText.of("page.html", metadata, 0), values);
+        table.put("exposure", scene.map(PageScene::exposure).orElseGet(metadata::exposure));
+        table.put("scanWidth", patch.scan().width());
+        scene.ifPresent(shown -> table.put("scene", shown.fields()));
+        Map<String, String> values = new LinkedHashMap<>();
+        values.put(
+                "VERDICT", html(Verdict.of(patch, GratingPeriod.of(patch), 0, 0).sentence()));
+        values.put("WARNINGS", paragraphs(patch.warnings()));
+        values.put("TABLE", metadata.blur());
+        values.put("SCAN", ScanPicture.of(patch.scan()));
+        // In a script element "</" would end the element.
+        values.put("JSON", new ObjectMapper().valueToTree(table).toString().replace("<", "\\u003c"));
+        values.put("SHADERS", shaders(metadata));
+        values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
+        values.put("SCENE", scene.map(PageScene::elements).orElse(""));
+        String page = ShaderText.fill(ShaderText.of("page.html", metadata, doublings()), values);
         return new Output(Map.of(".html", AtomicFile.StreamContent.of(page)), metadata);
+    }
+
+    private String shaders(TableMetadata metadata) {
+        String table = ShaderText.Language.GLSL.translate(ShaderText.of("sunbeam.glsl", metadata, doublings()));
+        List<String> names = scene.isEmpty()
+                ? List.of("fullscreen.vert", "disc")
+                : List.of("fullscreen.vert", "mesh.vert", "skin", "samples", "ground", "shadow");
+        return names.stream()
+                .map(name -> "<script type=\"text/plain\" id=\"" + name + "\">" + EmbeddedShaders.text(name, table)
+                        + "</script>\n")
+                .collect(Collectors.joining());
+    }
+
+    private static String paragraphs(List<String> warnings) {
+        return warnings.stream()
+                .map(warning -> "<p class=\"warning\">" + html("Warning: " + warning) + "</p>\n")
+                .collect(Collectors.joining());
+    }
+
+    private static String html(String text) {
+        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }
 
     /**

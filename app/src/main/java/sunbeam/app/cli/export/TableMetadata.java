@@ -37,9 +37,18 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/** Metadata that every output states; the grid is as a reader sees it, and a divisor means that energy is conserved. */
+/**
+ * Metadata that every output states; the grid is as a reader sees it, and a divisor means that energy is conserved.
+ *
+ * @param slopeDeviation standard deviation of slopes that the table averages over; 0 for none
+ */
 record TableMetadata(
-        DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors, Optional<EnergyDivisor> divisor) {
+        DiffractionSetup setup,
+        Choices choices,
+        ColorGrid grid,
+        double slopeDeviation,
+        GridErrors errors,
+        Optional<EnergyDivisor> divisor) {
     private static final double FIRST_THETA = 30;
     /** Pixels along a side of the map whose exposure is chosen. */
     private static final int MAP_SIDE = 200;
@@ -61,14 +70,35 @@ record TableMetadata(
         return grid.level().area().window().coherenceLength();
     }
 
+    /** Returns words on the width of the table's orders, and why they are wider than asked. */
+    String blur() {
+        if (slopeDeviation > 0) {
+            return Text.format(
+                    "light of a coherence length of %s, blurred by slopes of %.2g\u00b0",
+                    Lengths.rounded(requestedCoherenceLength(), 3), Math.toDegrees(Math.atan(slopeDeviation)));
+        }
+        String asked = Lengths.rounded(requestedCoherenceLength(), 3);
+        String own = Lengths.rounded(coherenceLength(), 3);
+        return Text.format(
+                "light of a coherence length of %s%s: an order is %.2g\u00b0 wide",
+                own,
+                own.equals(asked) ? "" : " (" + asked + " asked: sharper orders need a larger --size)",
+                resolutionDegrees());
+    }
+
     String summary() {
         GridShape shape = grid.shape();
+        String orders = slopeDeviation > 0
+                ? blur()
+                : Text.format(
+                        "coherence length %s (asked %s), orders %.2g degrees wide",
+                        Lengths.rounded(coherenceLength(), 3),
+                        Lengths.rounded(requestedCoherenceLength(), 3),
+                        resolutionDegrees());
         return Text.format(
-                "%s: coherence length %s (asked %s), orders %.2g degrees wide, %d x %d x %d texels of u, v, w, angles to %.4g degrees",
+                "%s: %s, %d x %d x %d texels of u, v, w, angles to %.4g degrees",
                 setup.patch().name(),
-                Lengths.rounded(coherenceLength(), 3),
-                Lengths.rounded(requestedCoherenceLength(), 3),
-                resolutionDegrees(),
+                orders,
                 shape.u().count(),
                 shape.v().count(),
                 shape.depth().count(),
@@ -123,7 +153,10 @@ record TableMetadata(
         fields.put("patch_sha256", setup.patch().heights().digest());
         fields.put("average", "ensemble: mean over all positions of the coherence window");
         fields.put("window", "Gaussian, standard deviation a quarter of the coherence length");
-        fields.put("coherence_length_m", coherenceLength());
+        fields.put("coherence_length_m", slopeDeviation > 0 ? requestedCoherenceLength() : coherenceLength());
+        if (slopeDeviation > 0) {
+            fields.put("slope_deviation", slopeDeviation);
+        }
         fields.put("coherence_length_asked_m", requestedCoherenceLength());
         fields.put("power_scale", grid.level().scale());
         fields.put("power_scale_is", "C by power under coherence_length_m: a mean over wider orders is lower");

@@ -1,0 +1,123 @@
+package sunbeam.app.cli.export;
+
+import java.awt.Image;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferByte;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Base64;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.zip.Deflater;
+import javax.imageio.ImageIO;
+import jrtr.gl.RenderContext;
+import sunbeam.app.files.output.ExrFile;
+import sunbeam.app.render.PartSum;
+import sunbeam.app.render.SceneLoader.LoadingScene;
+import sunbeam.app.render.SceneSession;
+import sunbeam.app.render.TimedTiles;
+import sunbeam.app.render.WebScene;
+import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.patch.Patch;
+
+/**
+ * A scene in the elements of page.html.
+ *
+ * @param exposure that of {@code render} at its default size
+ * @param elements scripts that hold the compressed mesh and the textures
+ */
+record PageScene(Patch patch, double exposure, Map<String, Object> fields, String elements) {
+    // Share of a page that mesh and textures may take, so that the table has the rest.
+    private static final double MOST_SHARE = 0.75;
+    // In texels, as telephones hold.
+    private static final int LARGEST_SIDE = 4096;
+    // Larger pictures are JPEG.
+    private static final int LARGEST_PNG = 300_000;
+    private static final int WIDTH = 640;
+    private static final int HEIGHT = 480;
+
+    /** Loads a scene, and measures its exposure with OpenGL. */
+    static PageScene of(LoadingScene loading, String name, long mostBytes) {
+        try (RenderContext context = loading.offscreen()) {
+            var sessions = loading.upload(context);
+            try {
+                SceneSession session = sessions.get(0);
+                double exposure = new PartSum(sessions)
+                        .exposure(session.data().scene(), WIDTH, HEIGHT, TimedTiles.large(), () -> false)
+                        .orElseThrow();
+                WebScene scene = WebScene.of(session.data(), exposure);
+                PageScene page = new PageScene(session.data().patch(), exposure, scene.fields(), elements(scene));
+                UsageException.throwIf(
+                        page.bytes() > MOST_SHARE * mostBytes,
+                        "scene " + name + " takes " + ByteSize.format(page.bytes()) + " of a page of "
+                                + ByteSize.format(mostBytes) + " ("
+                                + session.data().shape().whole().triangles()
+                                + " triangles, " + "textures); give a simpler mesh, or a larger --size");
+                return page;
+            } finally {
+                sessions.forEach(SceneSession::close);
+            }
+        }
+    }
+
+    long bytes() {
+        return elements.length();
+    }
+
+    private static String elements(WebScene scene) {
+        String mesh = Base64.getEncoder().encodeToString(ExrFile.deflated(scene.columns(), Deflater.BEST_COMPRESSION));
+        return "<script type=\"text/plain\" id=\"mesh\">" + mesh + "</script>\n"
+                + new TreeMap<>(scene.textures())
+                        .entrySet().stream()
+                                .map(texture -> "<script type=\"text/plain\" id=\"" + texture.getKey() + "\">"
+                                        + address(texture.getValue()) + "</script>\n")
+                                .collect(Collectors.joining());
+    }
+
+    private static String address(BodyTexture texture) {
+        boolean isOpaque = true;
+        for (int i = 3; i < texture.rgba().length; i += 4) {
+            isOpaque &= texture.rgba()[i] == -1;
+        }
+        int type = isOpaque ? BufferedImage.TYPE_3BYTE_BGR : BufferedImage.TYPE_4BYTE_ABGR;
+        BufferedImage image = new BufferedImage(texture.width(), texture.height(), type);
+        byte[] bytes = ((DataBufferByte) image.getRaster().getDataBuffer()).getData();
+        int channels = isOpaque ? 3 : 4;
+        for (int i = 0; i < texture.width() * texture.height(); i++) {
+            for (int c = 0; c < channels; c++) {
+                bytes[channels * i + channels - 1 - c] = texture.rgba()[4 * i + c];
+            }
+        }
+        BufferedImage fitting = fitting(image);
+        String png = address(fitting, "png");
+        return isOpaque && png.length() > LARGEST_PNG ? address(fitting, "jpeg") : png;
+    }
+
+    private static BufferedImage fitting(BufferedImage image) {
+        double scale = LARGEST_SIDE / (double) Math.max(image.getWidth(), image.getHeight());
+        if (scale >= 1) {
+            return image;
+        }
+        int width = (int) Math.max(1, Math.round(scale * image.getWidth()));
+        int height = (int) Math.max(1, Math.round(scale * image.getHeight()));
+        BufferedImage small = new BufferedImage(width, height, image.getType());
+        small.createGraphics()
+                .drawImage(image.getScaledInstance(width, height, Image.SCALE_AREA_AVERAGING), 0, 0, null);
+        return small;
+    }
+
+    /** Returns an image as an address that holds it. */
+    static String address(BufferedImage image, String format) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try {
+            ImageIO.write(image, format, bytes);
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+        return "data:image/" + format + ";base64," + Base64.getEncoder().encodeToString(bytes.toByteArray());
+    }
+}
