@@ -56,7 +56,8 @@ class ScenePageTest extends InOneWorkplace {
         int ground = scene.path("groundSide").asInt();
         int sky = scene.path("skySide").asInt();
 
-        // Position, two directions, texture coordinate and sky are ten integers; a square of the ground is one, of the sky three.
+        // Position, two directions, texture coordinate and sky are ten integers; a square of the ground is one, of the
+        // sky three.
         assertThat(columns).hasSize(4 * (10 * vertices + indices + ground * ground + 3 * sky * sky));
         assertThat(vertices).isGreaterThan(100);
         for (String texture : new String[] {"bodyTexture", "skinRelief", "patchDirections"}) {

@@ -1,5 +1,8 @@
 #version 330 core
 #define SHADOW_TAPS 8
+// Mip levels finer by this, since a pixel is the mean of samples.
+uniform float texelBias;
+#define TEXEL_BIAS texelBias
 #include "include/relief.glsl"
 #include "include/blend.glsl"
 #include "include/display.glsl"
@@ -31,7 +34,7 @@ void main() {
     mat3 frame = tangentFrameAbout(reliefNormal(relief.xy), patchTurn());
     vec3 wr = viewDirection(frame);
     float seen = min(abs(worldTangent.w), 1.0);
-    vec3 albedo = belowGloss(wr, seen) * (LINEAR_SRGB_TO_XYZ * skinAlbedo(relief, texture(bodyTexture, surfaceCoordinate).rgb));
+    vec3 albedo = belowGloss(wr, seen) * (LINEAR_SRGB_TO_XYZ * skinAlbedo(relief, texelAt(bodyTexture, surfaceCoordinate).rgb));
     float ambient = skyShare(frame[2], seen);
     vec3 gloss = glossXyz(frame, wr, seen);
     vec3 sum = vec3(0.0);
