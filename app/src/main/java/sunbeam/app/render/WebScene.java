@@ -167,7 +167,7 @@ public record WebScene(Map<String, Object> fields, byte[] columns, Map<String, B
                 scene.display(1).tone() == Tone.CLIP
                         ? 1e30
                         : scene.display(1).tone().start());
-        uniforms.put("behind", scene.get(SceneSettings.BACKGROUND).light());
+        uniforms.put("behind", scene.background().light());
         Matrix4f toWorld = new Matrix4f(SceneGraph.modelToWorld(
                         scene.orientation(), shape.bounds().center()))
                 .mul(thing.toModel());
