@@ -33,6 +33,7 @@ import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
@@ -141,17 +142,28 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
     }
 
     private ObjectNode row(Item item, CollectionFolder folder, PrintWriter err) {
-        Optional<String> hash = hash(item);
+        Optional<Outcome> refused = refused(item);
+        Optional<String> hash = refused.isPresent() ? Optional.empty() : hash(item);
         Optional<ObjectNode> earlier = hash.flatMap(known -> folder.find(item, known));
         if (earlier.isPresent()) {
             return earlier.get();
         }
-        ObjectNode row = folder.row(item, hash.orElse(""), run(item, folder));
+        ObjectNode row = folder.row(item, hash.orElse(""), refused.orElseGet(() -> run(item, folder)));
         if (failed(row) && code(row) != ExitCode.INTERRUPTED.code()) {
             String message = row.get("message").textValue();
             err.println(Messages.error(message.contains(item.patch()) ? message : item.patch() + ": " + message));
         }
         return row;
+    }
+
+    /** Returns the failure of a folder's link to a file elsewhere, which is not read unless the command line names the link itself. */
+    private Optional<Outcome> refused(Item item) {
+        Path file = Path.of(item.patch());
+        if (!OwnFolder.isWayOut(file, file.toAbsolutePath().getParent()) || names().contains(item.patch())) {
+            return Optional.empty();
+        }
+        String remedy = " is a link that leads out of the folder; name the link itself, or copy the file there";
+        return Optional.of(new Outcome(ExitCode.UNUSABLE_INPUT.code(), "", item.patch() + remedy));
     }
 
     /** True if all further surfaces would fail, too: the process is ending, the folder takes no files, or there is no graphics. */

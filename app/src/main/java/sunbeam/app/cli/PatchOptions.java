@@ -32,6 +32,7 @@ import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
@@ -265,23 +266,29 @@ public final class PatchOptions extends SettingOptions {
 
         /**
          * Returns a folder's own files without hidden ones, those that a descriptor of the folder names, and other JSON and Markdown. A link
-         * that leads nowhere, or a pipe, counts: its run reports it.
+         * that leads nowhere or out of the folder, or a pipe, counts: its row says so.
          */
         private static List<String> files(Path folder) {
             try (Stream<Path> listed = Files.list(folder)) {
                 List<Path> files = listed.filter(file -> !Files.isDirectory(file)
                                 && !file.getFileName().toString().matches("(?i)\\..*|.*\\.md")
-                                && json(file).map(tree -> tree.has(HEIGHTS)).orElse(true))
+                                && (OwnFolder.isWayOut(file, folder)
+                                        || json(file)
+                                                .map(tree -> tree.has(HEIGHTS))
+                                                .orElse(true)))
                         .sorted()
                         .toList();
                 Set<Path> described = new HashSet<>();
-                files.forEach(file -> heights(file).ifPresent(described::add));
+                files.stream()
+                        .filter(file -> !OwnFolder.isWayOut(file, folder))
+                        .forEach(file -> heights(file).ifPresent(described::add));
                 InputException.refuseIf(
                         files.isEmpty(),
                         "the folder " + folder
                                 + " has no scan; folders below it and hidden files do not count, name the folder of the scans");
                 return files.stream()
                         .filter(file -> !described.contains(file.normalize())
+                                || OwnFolder.isWayOut(file, folder)
                                 || heights(file).isPresent())
                         .map(Path::toString)
                         .toList();

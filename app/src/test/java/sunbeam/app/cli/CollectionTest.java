@@ -185,15 +185,31 @@ final class CollectionTest extends CommandLineFixture {
 
         assertThat(inspect("@scans")).isEqualTo(4);
 
-        assertThat(column("exit_code")).containsExactly("4", "4", "4", "4", "0");
+        assertThat(column("exit_code")).containsExactly("4", "4", "4", "4", "4", "0");
         assertThat(column("message").get(1)).contains("b.json", "leads out of the descriptor's own folder");
         assertThat(column("message").get(2)).contains("c.json", "leads out of the descriptor's own folder");
-        assertThat(column("message").get(3)).contains("e.gsf", "existing file");
-        assertThat(column("verdict_code").get(4)).isEqualTo("sure_grating");
+        assertThat(column("message").get(3)).contains("d.json", "a link that leads out");
+        assertThat(column("message").get(4)).contains("e.gsf", "existing file");
+        assertThat(column("verdict_code").get(5)).isEqualTo("sure_grating");
         assertThat(inspect("@scans --resume")).isEqualTo(4);
-        assertThat(column("exit_code")).containsExactly("4", "4", "4", "4", "0");
+        assertThat(column("exit_code")).containsExactly("4", "4", "4", "4", "4", "0");
         // JUnit warns of links that lead out of its folder.
         Files.delete(scans.resolve("d.json"));
+    }
+
+    @Test
+    void aLinkToAScanOutsideOfTheFolderIsARow() throws IOException {
+        Path inside = scans.resolve("grating.txt");
+        Path link = Files.createSymbolicLink(scans.resolve("a.txt"), Files.copy(inside, folder.resolve("outside.txt")));
+        Files.writeString(scans.resolve("b.json"), "{\"heights\": \"a.txt\"}");
+        Files.createSymbolicLink(scans.resolve("c.txt"), inside);
+
+        assertThat(inspect("@scans")).isEqualTo(4);
+
+        assertThat(column("exit_code")).containsExactly("4", "4", "0", "0");
+        assertThat(column("message").get(0)).contains("a.txt is a link that leads out of the folder");
+        assertThat(inspect("@scans/a.txt @scans/c.txt --force")).isZero();
+        Files.delete(link);
     }
 
     @Test

@@ -28,8 +28,7 @@ public record OwnFolder(Path owner, String kind) {
     /** Throws IllegalArgumentException if an existing file lies outside after all links are followed. */
     public void requireNoWayOut(Path file) {
         try {
-            Path folder = owner.toAbsolutePath().getParent().toRealPath();
-            if (!file.toRealPath().startsWith(folder)) {
+            if (leaves(file, owner.toAbsolutePath().getParent())) {
                 throw new IllegalArgumentException(
                         "is a link that leads out of the " + kind + "'s folder; copy the file there");
             }
@@ -37,5 +36,18 @@ public record OwnFolder(Path owner, String kind) {
             throw new IllegalArgumentException(
                     "cannot be followed (" + failure.getMessage() + "); check the file", failure);
         }
+    }
+
+    /** True if an existing file lies outside of a folder after all links are followed; false if they cannot be followed. */
+    public static boolean isWayOut(Path file, Path folder) {
+        try {
+            return leaves(file, folder);
+        } catch (IOException unfollowed) {
+            return false;
+        }
+    }
+
+    private static boolean leaves(Path file, Path folder) throws IOException {
+        return !file.toRealPath().startsWith(folder.toRealPath());
     }
 }
