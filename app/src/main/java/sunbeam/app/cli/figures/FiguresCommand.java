@@ -36,9 +36,6 @@ import sunbeam.precompute.text.Text;
                         + " pictures that were drawn with the same options are kept, so a stopped run can be continued. Look at index.html, which names the command of each picture.",
         footer = {"  sunbeam figures --only 5.10,table-4.1"})
 public final class FiguresCommand extends FileCommand {
-    /** Line by which a page written by this command is recognized. */
-    private static final String GENERATOR = "<meta name=\"generator\" content=\"Sunbeam figures\">\n";
-
     private static final int LARGEST = 2048;
     private static final int STANDARD = 224;
     private static final int QUICK = 96;
@@ -95,9 +92,10 @@ public final class FiguresCommand extends FileCommand {
         Map<Figure, List<Figure.Drawing>> drawings = new LinkedHashMap<>();
         Figure.select(only).forEach(figure -> drawings.put(figure, figure.drawings(this::source, sizes, output)));
         OutputFolder.createWithParents(output);
-        checkPage();
+        String options = options(drawings, sizes);
+        checkPage(options);
         int code = draw(drawings);
-        AtomicFile.write(output.resolve(PAGE), Overwrite.REPLACE, AtomicFile.StreamContent.of(page(drawings)));
+        AtomicFile.write(output.resolve(PAGE), Overwrite.REPLACE, AtomicFile.StreamContent.of(page(drawings, options)));
         List<Map<String, Object>> verdicts = new ArrayList<>();
         List<List<String>> numbers = new ArrayList<>();
         drawings.forEach((figure, own) -> {
@@ -174,23 +172,30 @@ public final class FiguresCommand extends FileCommand {
         return outcome.code();
     }
 
-    private void checkPage() {
+    /** Returns the text by which a page is known as one of the same figures, sizes and patches, which a further run continues. */
+    private String options(Map<Figure, List<Figure.Drawing>> drawings, Figure.Sizes sizes) {
+        String numbers = drawings.keySet().stream().map(Figure::number).collect(Collectors.joining(","));
+        String patches = patchFolder == null ? "built-in patches" : patchFolder.toString();
+        return escape("Sunbeam figures " + numbers + " of " + patches + ", " + sizes);
+    }
+
+    private void checkPage(String options) {
         Path page = output.resolve(PAGE);
         AtomicFile.checkWritable(page, Overwrite.REPLACE);
         try {
             if (overwrite() == Overwrite.REFUSE
                     && Files.exists(page)
-                    && !Files.readString(page).contains(GENERATOR)) {
+                    && !Files.readString(page).contains("content=\"" + options + "\">\n")) {
                 throw new OutputException.Exists(
                         "cannot write " + page
-                                + ": it exists and is no page of figures; add --force to replace it, or choose another --output");
+                                + ": it exists and is no page of these figures and options; add --force to replace it, or choose another --output");
             }
         } catch (IOException failure) {
             throw OutputException.of(page, failure);
         }
     }
 
-    private String page(Map<Figure, List<Figure.Drawing>> drawings) {
+    private String page(Map<Figure, List<Figure.Drawing>> drawings, String options) {
         StringBuilder html =
                 new StringBuilder(quick ? "<p>Drawn with --quick: small pictures, coarse responses.</p>\n" : "");
         drawings.forEach((figure, own) -> {
@@ -210,6 +215,7 @@ public final class FiguresCommand extends FileCommand {
             }
         });
         return Environment.resource(FiguresCommand.class, "page.html")
+                .replace("@OPTIONS@", options)
                 .replace("@VERSION@", Environment.version())
                 .replace("@FIGURES@", html);
     }

@@ -194,7 +194,18 @@ class FiguresCommandTest extends CommandLineFixture {
     void aPageThatOthersWroteStays() throws IOException {
         Files.writeString(folder.resolve("index.html"), "mine");
         assertThat(figures("--only 5.5")).isEqualTo(6);
-        assertThat(err.toString()).contains("it exists and is no page of figures");
+        assertThat(err.toString()).contains("it exists and is no page of these figures");
         assertThat(runs).isEmpty();
+    }
+
+    @Test
+    void aPageOfOtherFiguresStaysAndOneOfTheSameIsContinued() throws IOException {
+        assertThat(figures("--only 4.9")).isZero();
+        String first = page();
+        assertThat(figures("--only 4.9 --size 32")).isEqualTo(6);
+        assertThat(figures("--only table-4.1")).isEqualTo(6);
+        assertThat(page()).isEqualTo(first);
+        assertThat(figures("--only 4.9")).isZero();
+        assertThat(figures("--only table-4.1 --force")).isZero();
     }
 }
