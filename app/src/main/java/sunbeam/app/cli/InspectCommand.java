@@ -12,9 +12,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
-import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.terminal.Messages;
-import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
@@ -69,9 +67,6 @@ public final class InspectCommand extends FileCommand {
         resume.requireMany();
         Ending.PICTURE.require("--output", output);
         page.width();
-        UsageException.throwIf(
-                json.isGiven() && OutputFolder.isStandardOutput(output),
-                "--json and --output - both want standard output; name a file for the picture");
         PrintWriter out = out(output);
         AtomicFile.checkWritable(output, overwrite());
         Patch loaded = patchOptions.load(Choices.none());

@@ -12,6 +12,8 @@ import java.util.Map;
 import java.util.stream.Stream;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -32,6 +34,19 @@ public final class JsonOption {
 
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
+
+    /** Refuses a command line whose report and file both go to standard output, before any file is read. */
+    public static void requireOneStream(ParseResult parsed) {
+        for (String output : List.of("--output", "--linear", "--picture")) {
+            boolean isStream =
+                    parsed.matchedOptionValue(output, null) instanceof Path file && OutputFolder.isStandardOutput(file);
+            if (isStream && parsed.hasMatchedOption("--json")) {
+                throw new ParameterException(
+                        parsed.commandSpec().commandLine(),
+                        "--json and " + output + " - both want standard output; name a file, or leave out --json");
+            }
+        }
+    }
 
     public boolean isGiven() {
         return asked;

@@ -28,6 +28,7 @@ import sunbeam.app.cli.DisplayOptions.PictureSize;
 import sunbeam.app.cli.DoctorCommand;
 import sunbeam.app.cli.EvaluateCommand;
 import sunbeam.app.cli.InspectCommand;
+import sunbeam.app.cli.JsonOption;
 import sunbeam.app.cli.MeshCommand;
 import sunbeam.app.cli.OrdersCommand;
 import sunbeam.app.cli.PrecomputeCommand;
@@ -102,6 +103,7 @@ public final class Sunbeam {
         if (quiet) {
             environment.progress().silence();
         }
+        Optional.ofNullable(parsed.subcommand()).ifPresent(JsonOption::requireOneStream);
         return Optional.ofNullable(parsed.subcommand())
                 .flatMap(command -> Collection.of(command, this::inner))
                 .map(collection -> run(collection, parsed.subcommand()))

@@ -87,6 +87,10 @@ final class SunbeamTest extends CommandLineFixture {
             brdf-map --exposure 1,5 | --exposure '1,5' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from; write a decimal point
             color blaze --output - | cannot write several files to standard output: name a file
             evaluate blaze --output - | cannot write several files to standard output: name a file
+            mesh plane --json --output - | --json and --output - both want standard output; name a file, or leave out --json
+            brdf-map blaze --json --linear - | --json and --linear - both want standard output
+            reflectance --directions - --json --output - | --json and --output - both want standard output
+            sample --count 9 --json --output - | --json and --output - both want standard output
             colour               | sunbeam: unknown command 'colour' (did you mean color?); see sunbeam --help
             doctor --sise=3      | sunbeam: unknown option '--sise=3'; see sunbeam doctor --help
             """)
