@@ -161,23 +161,36 @@ record LineMeasures(
 
     /** Mean power in a line's sector over the median sector of the ring at its frequency. */
     double contrast(SpatialFrequency wave) {
-        return contrast(wave, 0);
+        return contrast(wave, 0, List.of());
     }
 
-    private double contrast(SpatialFrequency wave, double added) {
+    /** Likewise over the sectors without the bins that the lines reach: of few periods, two crossing lines fill most. 0 if they fill all. */
+    double contrastBeside(SpatialFrequency wave, List<SpatialFrequency> lines) {
+        return contrast(wave, 0, lines);
+    }
+
+    private double contrast(SpatialFrequency wave, double added, List<SpatialFrequency> lines) {
         double[] sums = new double[SECTORS];
         int[] counts = new int[SECTORS];
         for (int place : binsBetween(wave, 1 - BREADTH, 1 + BREADTH)) {
-            double turns = (spectrum.frequency(place).azimuth() - wave.azimuth()) / Math.PI + 0.5 / SECTORS;
+            SpatialFrequency frequency = spectrum.frequency(place);
+            double turns = (frequency.azimuth() - wave.azimuth()) / Math.PI + 0.5 / SECTORS;
             int sector = Math.min(SECTORS - 1, (int) (SECTORS * (turns - Math.floor(turns))));
-            sums[sector] += spectrum.power()[place];
-            counts[sector]++;
+            boolean isFree = lines.stream()
+                    .allMatch(line -> isBesideLine(frequency, line) && isBesideLine(frequency, line.times(-1)));
+            if (sector == 0 || isFree) {
+                sums[sector] += spectrum.power()[place];
+                counts[sector]++;
+            }
         }
         sums[0] += added;
-        Arrays.setAll(sums, i -> sums[i] / Math.max(1, counts[i]));
-        double line = sums[0];
-        Arrays.sort(sums);
-        return line / sums[SECTORS / 2];
+        double line = sums[0] / Math.max(1, counts[0]);
+        double[] means = IntStream.range(0, SECTORS)
+                .filter(i -> lines.isEmpty() || (i > 0 && counts[i] > 0))
+                .mapToDouble(i -> sums[i] / Math.max(1, counts[i]))
+                .sorted()
+                .toArray();
+        return means.length == 0 ? 0 : line / means[means.length / 2];
     }
 
     double top(SpatialFrequency frequency) {
@@ -300,7 +313,7 @@ record LineMeasures(
         double share = explained(wave);
         double lines = lineShare(List.of(wave)) * spectrum.total();
         double contrast = contrast(wave);
-        double contrastOfPeak = contrast(wave, worth() * here) - contrast;
+        double contrastOfPeak = contrast(wave, worth() * here, List.of()) - contrast;
         double prominence = prominence(wave, List.of()) / here;
         double significance = significance(wave) / here;
         double ring = ring(wave);

@@ -215,6 +215,46 @@ class VerdictTest {
                         within(0.007 * truth));
     }
 
+    /** The lines of 4.5 to 6 periods reach over most directions; whole waves, and pits that are flat between. */
+    @ParameterizedTest
+    @CsvSource({
+        "4.44, 25, 90, square, false",
+        "4, 0, 90, square, false",
+        "3.6, 15, 90, square, true",
+        "3.3, 8, 60, hexagonal, false"
+    })
+    void latticesOfFewPeriodsNameTheirCrossingWaves(
+            double micrometers, double degrees, double turn, String kind, boolean pits) {
+        SplittableRandom random = new SplittableRandom(11);
+        DoubleBinaryOperator heights = (x, y) -> {
+            double sum = 1e-9 * random.nextGaussian();
+            for (double angle = 0; angle < 179; angle += turn) {
+                sum += wave(x, y, 1e-6 * micrometers, degrees + angle);
+            }
+            return pits ? Math.min(sum, 0) : sum;
+        };
+        assertThat(verdict(piece(Surfaces.of(128, 128, 20e-6 / 128, heights))))
+                .startsWith("A " + kind + " lattice ")
+                .doesNotContain("crossed");
+    }
+
+    /** Waves alike in all directions, of which those seen are strong by chance: a lattice in less than 1 of 100. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.03, 0.1, 0.2})
+    void aRingOfFewPeriodsIsNoLattice(double width) {
+        SplittableRandom random = new SplittableRandom(5);
+        for (int i = 0; i < 12; i++) {
+            double turns = 2 * Math.PI / random.nextDouble(3e-6, 5e-6);
+            DoubleBinaryOperator heights = waves(150, random, () -> {
+                double angle = random.nextDouble(Math.PI);
+                double length = turns * (1 + width * random.nextGaussian());
+                return new double[] {length * Math.cos(angle), length * Math.sin(angle)};
+            });
+            Patch patch = piece(Surfaces.of(80, 80, 0.25e-6, (x, y) -> 5e-9 * heights.applyAsDouble(x, y)));
+            assertThat(verdict(patch)).doesNotContain("lattice", "crossed");
+        }
+    }
+
     /** Sums and differences of two waves are overtones; in the second lattice they are as strong, and each wave has 8 % of the variance. */
     @ParameterizedTest
     @CsvSource({"0.7e-6, 0.2e-6, 0.7", "1.2e-6, 0.2e-6, 1.2"})
