@@ -8,6 +8,7 @@ import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.awt.image.SampleModel;
 import java.io.IOException;
+import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -28,6 +29,11 @@ final class PictureReader {
     private static final int MOST_BYTES_PER_PIXEL = 8;
     // Position of the compression code in a BMP file, bytes.
     private static final int BMP_COMPRESSION = 30;
+    private static final int BMP_HEADER = 14;
+    private static final int BMP_RESOLUTION = 38;
+    // Types of chunks of PNG, IDAT and pHYs.
+    private static final int IMAGE_DATA = 0x49444154;
+    private static final int PHYSICAL_PIXELS = 0x70485973;
     private static final int EMBEDDED_JPEG = 4;
     private static final int EMBEDDED_PNG = 5;
 
@@ -62,7 +68,7 @@ final class PictureReader {
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
         try {
             String kind = kind(file).orElseThrow();
-            return kind.equals("tiff") ? tiff(file) : channels(decoded(file, kind));
+            return kind.equals("tiff") ? tiff(file) : channels(decoded(file, kind), resolution(file, kind));
         } catch (ScanException refused) {
             throw refused;
         } catch (IOException | RuntimeException | StackOverflowError | OutOfMemoryError | AssertionError broken) {
@@ -94,9 +100,34 @@ final class PictureReader {
         }
     }
 
-    private static List<ScanChannel> channels(BufferedImage image) throws IOException {
+    /**
+     * Returns samples per length along x and y, of which only the ratio counts; zeros if there are none. Source: W3C, "PNG", chunk pHYs;
+     * Microsoft, "BITMAPINFOHEADER".
+     */
+    private static long[] resolution(ScanBytes file, String kind) throws IOException {
+        if (kind.equals("bmp")) {
+            boolean hasResolution =
+                    file.cursor(BMP_HEADER, ByteOrder.LITTLE_ENDIAN).unsigned32() >= BMP_COMPRESSION;
+            ScanBytes.Cursor at = file.cursor(BMP_RESOLUTION, ByteOrder.LITTLE_ENDIAN);
+            return hasResolution ? new long[] {at.int32(), at.int32()} : new long[2];
+        }
+        ScanBytes.Cursor chunk = file.cursor(8, ByteOrder.BIG_ENDIAN);
+        while (true) {
+            long length = chunk.unsigned32();
+            int type = chunk.int32();
+            if (type == IMAGE_DATA) {
+                return new long[2];
+            }
+            if (type == PHYSICAL_PIXELS) {
+                return new long[] {chunk.unsigned32(), chunk.unsigned32()};
+            }
+            chunk.skip(length + Integer.BYTES);
+        }
+    }
+
+    private static List<ScanChannel> channels(BufferedImage image, long[] resolution) throws IOException {
         if (image.getColorModel() instanceof IndexColorModel palette) {
-            return channels(palette.convertToIntDiscrete(image.getRaster(), false));
+            return channels(palette.convertToIntDiscrete(image.getRaster(), false), resolution);
         }
         ColorModel model = image.getColorModel();
         int space = model.getColorSpace().getType();
@@ -110,7 +141,11 @@ final class PictureReader {
                 .toList();
         Optional<Samples> alpha =
                 model.hasAlpha() ? Optional.of(band(image.getRaster(), colors, fullScale)) : Optional.empty();
-        return channels("", bands, alpha, Extent.UNKNOWN, ScanChannel.FULL_SCALE);
+        boolean resolved = resolution[0] > 0 && resolution[1] > 0;
+        Extent extent = resolved
+                ? Extent.ofPitches(1.0 / resolution[0], 1.0 / resolution[1], "", bands.get(0))
+                : Extent.UNKNOWN;
+        return channels("", bands, alpha, extent, ScanChannel.FULL_SCALE);
     }
 
     private static double fullScale(SampleModel model) {

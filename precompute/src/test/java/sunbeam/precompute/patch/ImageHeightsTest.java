@@ -9,20 +9,27 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.scan.ChannelList;
+import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Samples;
+import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.ScanFormat;
 import sunbeam.precompute.setting.SettingException;
 
 /** Images as files of heights: which samples are read, which mark a missing one, which channel they come from, and what is refused. */
@@ -49,6 +56,31 @@ class ImageHeightsTest {
         BufferedImage image = bits == 8 ? TestImages.gray8(side, side, grays) : TestImages.gray16(side, side, grays);
         double[] samples = read(image, "grey." + format, (1 << bits) - 1);
         assertSamples(samples, IntStream.range(0, 1 << bits).asDoubleStream().toArray());
+    }
+
+    /** Twice as many samples per length along x, without a unit in PNG, which are pixels twice as tall as wide. */
+    @ParameterizedTest
+    @ValueSource(strings = {"png", "bmp"})
+    void pixelsThatAreNotSquareKeepTheirRatio(String format) throws IOException {
+        Path file = TestImages.write(TestImages.gray8(4, 2, (c, r, b) -> c), folder.resolve("tall." + format));
+        byte[] image = Files.readAllBytes(file);
+        ByteBuffer stated = ByteBuffer.allocate(image.length + 21);
+        if (format.equals("png")) {
+            // Signature and the chunk IHDR take 33 bytes.
+            stated.put(image, 0, 33).putInt(9).put("pHYs".getBytes(StandardCharsets.US_ASCII));
+            stated.putInt(200).putInt(100).put((byte) 0);
+            CRC32 sum = new CRC32();
+            sum.update(stated.array(), 37, 13);
+            stated.putInt((int) sum.getValue()).put(image, 33, image.length - 33);
+        } else {
+            stated.order(ByteOrder.LITTLE_ENDIAN).put(image).putInt(38, 200).putInt(42, 100);
+        }
+        try (ScanBytes bytes = ScanBytes.open(Files.write(file, stated.array()))) {
+            ChannelList channels =
+                    ScanFormat.find(bytes, Optional.empty()).orElseThrow().open(bytes);
+            assertThat(channels.channels().get(0).extent())
+                    .isEqualTo(new Extent(Optional.empty(), Optional.empty(), 2));
+        }
     }
 
     @Test
