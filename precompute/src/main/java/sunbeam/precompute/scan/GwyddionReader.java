@@ -46,7 +46,13 @@ final class GwyddionReader {
         int end = file.headBefore("\0").length();
         Header values = Header.of(new String(file.head(end), StandardCharsets.UTF_8), '=');
         long start = 4L * (end / 4 + 1);
-        Samples samples = Samples.of(file, start, values.count("XRes"), values.count("YRes"), SampleType.FLOAT_32);
+        int columns = values.count("XRes");
+        int rows = values.count("YRes");
+        Samples samples = Samples.of(file, start, columns, rows, SampleType.FLOAT_32);
+        ScanException.refuseIf(
+                file.size() - start != (long) Float.BYTES * columns * rows,
+                "announces " + columns + " x " + rows + " samples of 4 bytes, but has " + (file.size() - start)
+                        + " bytes of them; export it again");
         Extent extent = Extent.ofSides(
                 values.number("XReal", 1), values.number("YReal", 1), values.text("XYUnits", ""), samples);
         return List.of(new ScanChannel(values.text("Title", ""), samples, extent, values.text("ZUnits", "")));

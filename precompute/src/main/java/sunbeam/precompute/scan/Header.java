@@ -1,8 +1,10 @@
 package sunbeam.precompute.scan;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Text;
@@ -17,6 +19,7 @@ public final class Header {
     private static final int LONGEST_QUANTITY = 1000;
 
     private final Map<String, String> values = new HashMap<>();
+    private final Set<String> contradictory = new HashSet<>();
 
     /** Number, with a decimal point or comma, and its unit. */
     public record Quantity(double value, String unit) {
@@ -36,13 +39,17 @@ public final class Header {
         }
     }
 
-    /** Reads lines of key, separator and value; skips other lines. */
+    /** Reads lines of key, separator and value; skips other lines. A key with two values is refused when it is asked for. */
     public static Header of(String text, char separator) {
         Header header = new Header();
         text.lines().forEach(line -> {
             int end = line.indexOf(separator);
             if (end > 0) {
-                header.put(line.substring(0, end), line.substring(end + 1));
+                String key = line.substring(0, end).strip();
+                header.put(key, line.substring(end + 1));
+                if (!header.values.get(key).equals(line.substring(end + 1).strip())) {
+                    header.contradictory.add(key);
+                }
             }
         });
         return header;
@@ -58,10 +65,14 @@ public final class Header {
     }
 
     public Optional<String> find(String key) {
-        return Optional.ofNullable(values.get(key)).filter(value -> !value.isEmpty());
+        return Optional.of(text(key, "")).filter(value -> !value.isEmpty());
     }
 
     public String text(String key, String otherwise) {
+        ScanException.refuseIf(
+                contradictory.contains(key),
+                "has several values for " + Text.quoted(key)
+                        + " in its header; remove the wrong ones, or export it again");
         return values.getOrDefault(key, otherwise);
     }
 

@@ -146,6 +146,18 @@ class ScanFormatTest {
     }
 
     @Test
+    void aSimpleFieldIsRefusedIfItsSizeOrItsHeaderContradictsItself() throws IOException {
+        String header = "Gwyddion Simple Field 1.0\nXRes = 3\nYRes = 2\nXReal = 1e-5\nYReal = 1e-5\nXYUnits = m\n";
+        assertRefused(simpleField(header, 7), "announces 3 x 2 samples of 4 bytes", "has 28 bytes");
+        assertRefused(simpleField(header + "XReal = 2e-5\n", 6), "several values for \"XReal\"");
+    }
+
+    private static byte[] simpleField(String header, int samples) {
+        int start = 4 * (header.length() / 4 + 1);
+        return Arrays.copyOf(header.getBytes(StandardCharsets.US_ASCII), start + Float.BYTES * samples);
+    }
+
+    @Test
     void aHeaderCannotAskForMoreThanTheFileHas() throws IOException {
         String field = new String(TestScans.file("gsf"), StandardCharsets.ISO_8859_1);
         assertRefused(latin1(field.replace("XRes = 7", "XRes = 9")), "ends after", "copy or export");
