@@ -50,11 +50,12 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
             case "fm" -> 1e-15;
             case "pm" -> 1e-12;
             case "ang", "angstrom", "angstroms", "\u00e5" -> 1e-10;
-            case "nm", "nanometer", "nanometre" -> 1e-9;
-            case "um", "micron", "microns", "micrometer", "micrometre" -> 1e-6;
-            case "mm" -> 1e-3;
-            case "cm" -> 1e-2;
-            case "m", "meter", "metre" -> 1;
+            case "nm", "nanometer", "nanometre", "nanometers", "nanometres" -> 1e-9;
+            case "um", "micron", "microns", "micrometer", "micrometre", "micrometers", "micrometres" -> 1e-6;
+            case "mm", "millimeter", "millimetre", "millimeters", "millimetres" -> 1e-3;
+            case "cm", "centimeter", "centimetre", "centimeters", "centimetres" -> 1e-2;
+            case "in", "inch", "inches" -> 25.4e-3;
+            case "m", "meter", "metre", "meters", "metres" -> 1;
             default -> 0;
         };
         return meters > 0 ? Optional.of(meters) : Optional.empty();

@@ -36,7 +36,20 @@ public final class TextReader {
     private static final Pattern AXES = Pattern.compile(
             "(?i)[#%;*\\s\"]*x\\s*[\\[(]([^\\])]+)[\\])]\\W+y\\s*[\\[(]([^\\])]+)[\\])]\\W+(?:z|height)\\s*[\\[(]([^\\])]+)[\\])].*");
 
+    // A name and its unit, such as "x_mm".
+    private static final Pattern UNDERSCORED = Pattern.compile("(?<![\\w.])([A-Za-z]{1,20})_([^\\s,;\"_\\[(]{1,12})");
+
     private TextReader() {}
+
+    /** Writes units of length after an underscore in brackets: "x_mm" as "x [mm]". */
+    private static String bracketed(String line) {
+        return UNDERSCORED
+                .matcher(line)
+                .replaceAll(name -> Matcher.quoteReplacement(
+                        Extent.metersPer(name.group(2)).isPresent()
+                                ? name.group(1) + " [" + name.group(2) + "]"
+                                : name.group()));
+    }
 
     static List<ScanChannel> channels(TextFile text) throws IOException {
         TextFile.Facts facts = TextFile.Facts.of(text.header());
@@ -58,6 +71,7 @@ public final class TextReader {
                 "has two columns, of which the first has no evenly spaced places: it is no profile of "
                         + FEWEST_EVENLY_SPACED + " heights or more; interpolate them, or export the whole image");
         Matcher axes = text.header().stream()
+                .map(TextReader::bracketed)
                 .map(TWO_AXES::matcher)
                 .filter(Matcher::matches)
                 .findFirst()
@@ -137,6 +151,7 @@ public final class TextReader {
     private static ScanChannel points(TextFile text, PointGrid grid) {
         // Units of x, y and z.
         String[] units = text.header().stream()
+                .map(TextReader::bracketed)
                 .map(AXES::matcher)
                 .filter(Matcher::matches)
                 .findFirst()

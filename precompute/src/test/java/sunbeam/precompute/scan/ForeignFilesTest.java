@@ -124,6 +124,19 @@ class ForeignFilesTest {
             assertThat(channel.samples().read()[1]).isCloseTo(0.002 * 11_000 - 100, within(1e-9));
             assertThat(channel.span()).isCloseTo(131.07, within(1e-9));
         }
+        byte[] inches = Files.readAllBytes(file("imagej-micron"));
+        String inch = new String(inches, StandardCharsets.ISO_8859_1).replace("unit=micron", "unit=inch  ");
+        Path wide = Files.writeString(folder.resolve("inch.tif"), inch, StandardCharsets.ISO_8859_1);
+        try (ScanBytes bytes = ScanBytes.open(wide)) {
+            // Resolutions are fractions of 32-bit integers.
+            assertThat(TestScans.channels(bytes)
+                            .channels()
+                            .get(0)
+                            .extent()
+                            .width()
+                            .orElseThrow())
+                    .isCloseTo(COLUMNS / 12.8 * 25.4e-3, within(1e-9));
+        }
         byte[] curved = Files.readAllBytes(file("imagej-calibrated"));
         String text = new String(curved, StandardCharsets.ISO_8859_1).replace("cf=0", "cf=3");
         Path file = Files.writeString(folder.resolve("curved.tif"), text, StandardCharsets.ISO_8859_1);

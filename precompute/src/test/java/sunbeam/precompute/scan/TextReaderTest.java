@@ -111,7 +111,7 @@ class TextReaderTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"x [um];y [um];z [nm]", "X (\u00b5m)\tY (\u00b5m)\tHeight (nm)"})
+    @ValueSource(strings = {"x [um];y [um];z [nm]", "X (\u00b5m)\tY (\u00b5m)\tHeight (nm)", "x_um,y_um,z_nm"})
     void pointsHaveTheUnitsOfTheirHeader(String header) throws IOException {
         String points = IntStream.range(0, SIDE)
                 .mapToObj(i -> i % 4 + "\t" + i / 4 + "\t" + i * i + "\n")
@@ -151,7 +151,12 @@ class TextReaderTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"'', 1, -1", "'x [um]\tz [nm]\n', 1, 1", "'Distance (um), Height (nm)\n', -1, 1"})
+    @CsvSource({
+        "'', 1, -1",
+        "'x [um]\tz [nm]\n', 1, 1",
+        "'Distance (um), Height (nm)\n', -1, 1",
+        "'distance_um;height_nm\n', 1, 1"
+    })
     void aProfileIsASurfaceThatIsConstantAlongY(String header, int direction, int known) throws IOException {
         String rows = IntStream.range(0, 40)
                 .mapToObj(i -> direction * 0.05 * i + "\t" + height(0, i) + "\n")
