@@ -2,6 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import sunbeam.precompute.analysis.HeightSpectrum.RepeatedPeriod;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
@@ -78,6 +79,12 @@ record PatchPeriod(HeightMap scan, Hypothesis asked) {
             return NOTHING.tooLittle(Text.format(
                     "%d x %d samples, fewer than the %d of three periods",
                     scan.columns(), scan.rows(), FEWEST_SAMPLES));
+        }
+        OptionalDouble step = RoundedHeights.step(scan);
+        if (step.isPresent()) {
+            return NOTHING.tooLittle(Text.format(
+                    "the heights come in steps of %s, as high as the relief; export the scan with more digits",
+                    Lengths.rounded(step.getAsDouble(), 2)));
         }
         GratingPeriod piece = seen();
         double side = Math.max(scan.width(), scan.height());

@@ -25,6 +25,7 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.prepare.Crop;
+import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 
 class VerdictTest {
@@ -213,6 +214,23 @@ class VerdictTest {
                 .isCloseTo(
                         0.5 * (Double.parseDouble(matcher.group(1)) + Double.parseDouble(matcher.group(2))),
                         within(0.007 * truth));
+    }
+
+    /** Steps of 3 nm on a tilted plane; of a grating's few heights, or below its relief, they are no fault. */
+    @Test
+    void roundedHeightsOfAPlaneAreNoGrating() {
+        DoubleBinaryOperator plane = (x, y) -> 1.5e-3 * x + 0.5e-3 * y;
+        assertThat(verdict(leveled((x, y) -> 3e-9 * Math.rint(plane.applyAsDouble(x, y) / 3e-9))))
+                .startsWith("Too little to judge: the heights come in steps of 3 nm, as high as the relief");
+        assertThat(verdict(leveled((x, y) ->
+                        3e-9 * Math.rint((plane.applyAsDouble(x, y) + 0.1 * sine(x, 1.2e-6)) / 3e-9))))
+                .startsWith("A grating of ");
+        assertThat(verdict(leveled((x, y) -> sine(x, 1.3e-6) > 45e-9 ? 3e-9 : 0)))
+                .startsWith("A grating of ");
+    }
+
+    private static Patch leveled(DoubleBinaryOperator heights) {
+        return piece(Leveling.PLANE.apply(Surfaces.of(150, 150, 100e-9, heights)));
     }
 
     /** The lines of 4.5 to 6 periods reach over most directions; whole waves, and pits that are flat between. */
