@@ -78,6 +78,9 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         if (several) {
             notes.add("heights from channel " + label + "; the file has " + channels.names());
         }
+        if (!channel.note().isEmpty()) {
+            notes.add(channel.note());
+        }
         if (channel.name().equals(ScanChannel.PROFILE)) {
             notes.add("a profile of " + map.columns() + " heights: the surface is taken as constant along y");
         }

@@ -223,6 +223,9 @@ final class PictureReader {
                 "is a TIFF with photometric interpretation " + interpretation + "; save it as gray or RGB");
         int extra = (int) page.number(TIFF.TAG_EXTRA_SAMPLES, 0);
         ScanException.refuseIf(
+                interpretation > BLACK_IS_ZERO && TiffScale.gdal(page).isPresent(),
+                "has GDAL's scale, offset or unit for a color; export the band of heights alone");
+        ScanException.refuseIf(
                 extra == PREMULTIPLIED, "stores colors multiplied by alpha; save it without transparency");
         double fullScale = page.isFloat() ? 1 : Math.pow(2, page.bits()) - 1;
         double sign = interpretation == WHITE_IS_ZERO ? -1 : 1;
@@ -243,8 +246,7 @@ final class PictureReader {
         String prefix = several ? "page " + (page.index() + 1) + " " : "";
         String ofSamples = page.isFloat() ? "" : ScanChannel.FULL_SCALE;
         Extent extent = scale.extent(page, bands.get(0));
-        Optional<TiffScale.Calibration> calibration =
-                colors == 1 ? scale.calibration(page.isFloat()) : Optional.empty();
+        Optional<TiffScale.Calibration> calibration = colors == 1 ? scale.calibration(page) : Optional.empty();
         if (calibration.isEmpty()) {
             return channels(prefix, bands.subList(0, colors), alpha, extent, ofSamples);
         }
@@ -259,7 +261,9 @@ final class PictureReader {
                         extent,
                         calibration.get().unit())
                 .stream()
-                .map(channel -> page.isFloat() ? channel : channel.withSpan(span))
+                .map(channel -> channel.calibrated(
+                        page.isFloat() ? channel.span() : span,
+                        calibration.get().note()))
                 .toList();
     }
 

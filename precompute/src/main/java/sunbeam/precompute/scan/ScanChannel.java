@@ -6,8 +6,10 @@ import java.util.Optional;
  * Channel of a scan: the tip may move backward; the unit is as written in the file, empty if not stated.
  *
  * @param span full scale of an image's samples minus their zero, in the unit; NaN for files without full scale
+ * @param note how the file's stored samples were scaled by a declaration that users may not know of; empty if there is none
  */
-public record ScanChannel(String name, boolean retrace, Samples samples, Extent extent, String unit, double span) {
+public record ScanChannel(
+        String name, boolean retrace, Samples samples, Extent extent, String unit, double span, String note) {
     /** Unit of an image's samples: 1 is full scale. */
     public static final String FULL_SCALE = "full scale";
 
@@ -21,7 +23,7 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
 
     public ScanChannel(String name, boolean retrace, Samples samples, Extent extent, String unit) {
         // Numbers without a unit count as shares of a full scale of 1.
-        this(name, retrace, samples, extent, unit, unit.isBlank() || unit.equals(FULL_SCALE) ? 1 : Double.NaN);
+        this(name, retrace, samples, extent, unit, unit.isBlank() || unit.equals(FULL_SCALE) ? 1 : Double.NaN, "");
     }
 
     public ScanChannel(String name, Samples samples, Extent extent, String unit) {
@@ -29,11 +31,11 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
     }
 
     public ScanChannel reshape(int columns, int rows) {
-        return new ScanChannel(name, retrace, new Samples(columns, rows, samples.source()), extent, unit, span);
+        return new ScanChannel(name, retrace, new Samples(columns, rows, samples.source()), extent, unit, span, note);
     }
 
-    ScanChannel withSpan(double fullScale) {
-        return new ScanChannel(name, retrace, samples, extent, unit, fullScale);
+    ScanChannel calibrated(double fullScale, String how) {
+        return new ScanChannel(name, retrace, samples, extent, unit, fullScale, how);
     }
 
     /** Such as "512 x 512 samples, in nm". */

@@ -3,6 +3,8 @@ package sunbeam.precompute.patch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static sunbeam.precompute.patch.PatchSettings.HEIGHT_UNIT;
+import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 
 import com.twelvemonkeys.imageio.metadata.tiff.TIFF;
 import java.awt.image.BufferedImage;
@@ -203,6 +205,34 @@ class ImageHeightsTest {
         assertRefused(file, complaint);
     }
 
+    /** Bytes 0 to 15, of which byte i is a height of i / 10 + 5 um. */
+    @Test
+    void gdalsScaleOffsetAndUnitAreUsedWithANote() throws IOException {
+        byte[] bytes = new byte[16];
+        IntStream.range(0, 16).forEach(i -> bytes[i] = (byte) i);
+        String item = "<Item name=\"S\" sample=\"%d\" role=\"%s\">%s</Item>";
+        String scaled = item.formatted(0, "scale", "0.1")
+                + item.formatted(1, "scale", "7")
+                + item.formatted(0, "offset", "5")
+                + item.formatted(0, "unittype", "um");
+        Path file = new TinyTiff(4, 4, 8, bytes).metadata(scaled).write(folder.resolve("scaled.tif"));
+
+        MeasuredHeights used = MeasuredHeights.read(
+                file, PatchRequests.of(file, WIDTH, "100um").choices());
+        assertThat(used.map().heights()[3]).isCloseTo(5.3e-6, within(1e-18));
+        assertThat(used.notes())
+                .containsExactly("heights are 0.1 times the stored samples plus 5, as GDAL's metadata declares");
+        MeasuredHeights overruled = MeasuredHeights.read(
+                file, PatchRequests.of(file, WIDTH, "100um", HEIGHT_UNIT, "nm").choices());
+        assertThat(overruled.map().heights()[3]).isCloseTo(5.3e-9, within(1e-21));
+        assertThat(overruled.notes()).anyMatch(note -> note.contains("though the file says that they are in um"));
+
+        new TinyTiff(4, 4, 8, bytes)
+                .metadata(item.formatted(0, "scale", "a tenth"))
+                .write(file);
+        assertRefused(file, "has \"a tenth\" for \"scale\"");
+    }
+
     private static void assertRefused(Path file, String... complaints) {
         assertThatThrownBy(() -> TestImages.samples(file, 255))
                 .isInstanceOf(InputException.class)
@@ -218,6 +248,7 @@ class ImageHeightsTest {
 
         private final Map<Integer, Integer> tags = new TreeMap<>();
         private final byte[] data;
+        private byte[] metadata = new byte[0];
 
         /** A gray, uncompressed image in one strip, little-endian. */
         TinyTiff(int columns, int rows, int bits, byte[] data) {
@@ -237,16 +268,28 @@ class ImageHeightsTest {
             return this;
         }
 
+        /** Adds the tag GDAL_METADATA, which the others precede. */
+        TinyTiff metadata(String items) {
+            metadata = ("<GDALMetadata>" + items + "</GDALMetadata>\0").getBytes(StandardCharsets.US_ASCII);
+            return this;
+        }
+
         Path write(Path file) throws IOException {
-            ByteBuffer out = ByteBuffer.allocate(HEADER_BYTES + data.length + 2 + 12 * tags.size() + 4)
+            int before = HEADER_BYTES + data.length;
+            int count = tags.size() + (metadata.length > 0 ? 1 : 0);
+            ByteBuffer out = ByteBuffer.allocate(before + metadata.length + 2 + 12 * count + 4)
                     .order(ByteOrder.LITTLE_ENDIAN);
-            out.put((byte) 'I').put((byte) 'I').putShort((short) 42).putInt(HEADER_BYTES + data.length);
-            out.put(data).putShort((short) tags.size());
+            out.put((byte) 'I').put((byte) 'I').putShort((short) 42).putInt(before + metadata.length);
+            out.put(data).put(metadata).putShort((short) count);
             tags.forEach((tag, value) -> out.putShort(tag.shortValue())
                     // Most tags must be short; sizes and offsets may be long.
                     .putShort((short) (value < 1 << 16 ? TYPE_SHORT : TYPE_LONG))
                     .putInt(1)
                     .putInt(value));
+            if (metadata.length > 0) {
+                out.putShort((short) 42_112).putShort((short) 2).putInt(metadata.length);
+                out.putInt(before);
+            }
             out.putInt(0);
             return Files.write(file, out.array());
         }
