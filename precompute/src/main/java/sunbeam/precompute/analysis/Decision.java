@@ -14,7 +14,9 @@ enum Decision {
     ALL_DIRECTIONS(
             Certainty.ALL_DIRECTIONS, "4 periods, ring 4, contrast below 40 (of a broad line 10), lines below 0.3"),
     TOO_FEW(Certainty.TOO_LITTLE, "fewer than 3 periods; order, or lines 0.3 and contrast 10"),
-    LIKELY(Certainty.PROBABLE, "no order; lines 0.2, contrast 10 to 60, prominence 4, significance 40, 3.5 periods"),
+    LIKELY(
+            Certainty.PROBABLE,
+            "no order; contrast 10 to 60; lines 0.2, prominence 4, significance 40, 3.5 periods; or 0.06, 8, 400, 10"),
     POSSIBLE(Certainty.TOO_LITTLE, "no order; lines 0.15, prominence 3"),
     NOISE(Certainty.NONE, "no order"),
     FEW(Certainty.PROBABLE, "fewer than 4 periods"),
@@ -86,11 +88,11 @@ enum Decision {
 
     /** Straight lines of noise, whose contrast is higher, have few independent waves, of which one may be this strong. */
     private static boolean isLikely(Evidence wave) {
-        return wave.lines() >= 0.2
-                && wave.contrast() >= 10
-                && wave.contrast() < 60
-                && wave.prominence() >= 4
-                && wave.significance() >= 40
-                && wave.periods() >= 3.5;
+        boolean strong =
+                wave.lines() >= 0.2 && wave.prominence() >= 4 && wave.significance() >= 40 && wave.periods() >= 3.5;
+        // Of many periods, in roughness of coarser waves.
+        boolean weak =
+                wave.lines() >= 0.06 && wave.prominence() >= 8 && wave.significance() >= 400 && wave.periods() >= 10;
+        return wave.contrast() >= 10 && wave.contrast() < 60 && (strong || weak);
     }
 }

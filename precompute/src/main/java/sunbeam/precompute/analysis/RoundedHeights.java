@@ -12,8 +12,8 @@ import sunbeam.precompute.optics.HeightMap;
  * lines of a grating. Second differences along the rows are whole steps, whatever plane was subtracted; the tilt is that of most neighbors.
  */
 final class RoundedHeights {
-    // Rounding has a deviation of 1 / sqrt(12) of a step; the surface's own may be as large.
-    private static final double OWN = Math.sqrt(2.0 / 12);
+    // Rounding has a variance of 1 / 12 of a step's square; the surface's own may be twice that.
+    private static final double OWN = Math.sqrt(3.0 / 12);
     // Over the scan, in steps; heights of two levels are a grating's, and their plane rises by less.
     private static final double LEAST_TILT = 2;
     // Of a step: far above the rounding of floats, far below that of noise.

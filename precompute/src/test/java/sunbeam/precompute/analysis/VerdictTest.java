@@ -313,6 +313,21 @@ class VerdictTest {
         assertThat(found.period()).isBetween(0.92 * period, 1.08 * period);
     }
 
+    /** A sine of a tenth of the variance whose power is 400 times the noise's at its frequency, in coarser roughness. */
+    @Test
+    void aWeakSineInCoarserRoughnessIsProbable() {
+        SplittableRandom random = new SplittableRandom(3);
+        double turns = 2 / 0.9e-6;
+        DoubleBinaryOperator rough = waves(300, random, () ->
+                new double[] {turns / 1.4142 * random.nextGaussian(), turns / 1.4142 * random.nextGaussian()});
+        DoubleBinaryOperator heights = (x, y) -> 0.095 * wave(x, y, 1.25e-6, 40)
+                + 10e-9 * Math.sqrt(2.0 / 300) * rough.applyAsDouble(x, y)
+                + 1e-10 * random.nextGaussian();
+        GratingPeriod found = GratingPeriod.of(piece(Surfaces.of(200, 200, 100e-9, heights)));
+        assertThat(found.certainty()).isEqualTo(GratingPeriod.Certainty.PROBABLE);
+        assertThat(found.period()).isBetween(1.2e-6, 1.3e-6);
+    }
+
     /** Waves of about 1.1 um around 20 degrees: the phase corrects the peak of a broad line by a tenth. */
     @Test
     void aMirrorImageHasThePeriodOfTheScan() {
