@@ -166,7 +166,8 @@ class WindowsArchiveTest extends InOneWorkplace {
     /** Waits for the final picture and closes the window. */
     @Test
     void theViewerBecomesFinal() throws Exception {
-        SunbeamResult result = ended(0, onWindows("view", "disc", "--size", "320x240", "--measure", "1"));
+        SunbeamResult result =
+                ended(0, onWindows("view", "disc", "--size", "320x240", "--tolerance", "0.1", "--measure", "1"));
         assertThat(result.stdout()).contains("final picture");
     }
 }
