@@ -78,7 +78,7 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
         return environment.map(map -> of(scene, map.lights(), false)).orElseGet(() -> own(scene));
     }
 
-    /** As {@link #of}, with few lights of an environment. */
+    /** Does what {@link #of} does, with few lights of an environment. */
     static LightList moving(Scene scene, Optional<RadianceMap> environment) {
         return environment.map(map -> of(scene, map.lights(), true)).orElseGet(() -> own(scene));
     }

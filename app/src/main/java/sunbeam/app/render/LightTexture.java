@@ -154,7 +154,7 @@ final class LightTexture implements AutoCloseable {
         return rgba;
     }
 
-    /** As in include/octahedron.glsl. */
+    /** Is the mapping of include/octahedron.glsl. */
     private static Vector3f fromOctahedron(double x, double y) {
         double z = 1 - Math.abs(x) - Math.abs(y);
         double foldedX = z < 0 ? Math.copySign(1 - Math.abs(y), x) : x;

@@ -18,9 +18,8 @@ public record WaveLimit(double amplitude, double shortest, double longest) {
     private static final int DIRECTIONS = 8;
     private static final int PERIODS = 4;
     private static final double FEWEST = 4;
-    // Medians beside a wave vary with its frequency: of waves of 1.5 times the amplitude at these frequencies 9 in 10
-    // are
-    // told, of twice the amplitude all of 36 (KnownSurfaceTest.excludedWavesWouldBeSeen).
+    // Medians beside a wave vary with its frequency: of 36 waves of 1.5 times the amplitude 32 were told, of twice the
+    // amplitude all. KnownSurfaceTest.excludedWavesWouldBeSeen asks a few of them.
     private static final double MARGIN = 2;
     // Ratio of powers, per step.
     private static final double STEP = 1.1;

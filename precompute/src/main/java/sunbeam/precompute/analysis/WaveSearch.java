@@ -14,7 +14,7 @@ import sunbeam.precompute.optics.HeightMap;
 /** Search for lines (peaks of waves) in the power spectrum of a piece of a surface. */
 record WaveSearch(HeightMap scan, LineMeasures measures) {
     static final double AS_STRONG = 0.5;
-    // Of a period that is called sure.
+    // A period that is called sure is seen so often.
     private static final double FEWEST_PERIODS = 4;
     // A lattice has lines in three directions, and two sums or differences of these.
     private static final int MOST_LINES = 5;
@@ -27,7 +27,7 @@ record WaveSearch(HeightMap scan, LineMeasures measures) {
     private static final double WEAK_FUNDAMENTAL = 0.04;
     private static final double SIGNIFICANT = 40;
     private static final double PROMINENT = 10;
-    // That a difference of uneven lines is taken for one that repeats, for each of the three lines that are tried: in 1
+    // Chance that a difference of uneven lines is taken for one that repeats, for each of the three lines tried: in 1
     // of 1000 scans.
     private static final double CHANCE = 0.0003;
     private static final double FEWEST_OF_FAINT = 6;

@@ -39,7 +39,7 @@ public final class Header {
         }
     }
 
-    /** Reads lines of key, separator and value; skips other lines. A key with two values is refused when it is asked for. */
+    /** Reads lines of key, separator and value; skips other lines. A key with two values is refused when it is read. */
     public static Header of(String text, char separator) {
         Header header = new Header();
         text.lines().forEach(line -> {

@@ -72,7 +72,7 @@ public final class ExportCommand extends FileCommand {
     private static final int MOST_SAMPLES = 10_000;
     /** Bands of 10 nm from 380 to 780 nm. */
     private static final int BANDS = 41;
-    /** Of a page that opens in two seconds. */
+    /** A page of this size opens in two seconds. */
     private static final String SCENE_SIZE = "6MB";
 
     @Mixin
