@@ -187,7 +187,10 @@ final class ColorSheet {
         graphics.setColor(PlotStyle.INK);
         graphics.drawString(colors.get(0).view().strip(), 14, middle - 4);
         graphics.drawString(
-                PlotStyle.typeset("azimuth " + angle(colors.get(0).view().phiDegrees())), 14, middle + 32);
+                PlotStyle.typeset(
+                        "azimuth " + angle(Math.rint(colors.get(0).view().phiDegrees()))),
+                14,
+                middle + 32);
         double ticks = Plot.round(TICKS * (last - first));
         for (double degrees = Math.ceil(first / ticks) * ticks; degrees <= last; degrees += ticks) {
             int x = x(degrees);

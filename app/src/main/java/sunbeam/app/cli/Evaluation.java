@@ -51,7 +51,7 @@ record Evaluation(
     // Lowest response of the color scale relative to the highest.
     private static final double SPAN = 1e-4;
     private static final String ANGLE = "angle to the viewer / degrees";
-    // Of Okabe and Ito, as in PlotStyle: these differ for color-blind readers, and their dashes without color.
+    // Okabe and Ito's colors, which PlotStyle has too, differ for color-blind readers; dashes differ without color.
     private static final int EQUATION = 0;
     private static final int FITTED = 0xE69F00;
     private static final int PEAKS = 0x56B4E9;

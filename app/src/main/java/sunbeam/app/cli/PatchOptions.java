@@ -248,7 +248,7 @@ public final class PatchOptions extends SettingOptions {
         }
 
         /**
-         * Of several names a missing file, with a folder or an ending in its name, counts: its run reports it.
+         * A missing file among several names counts if its name has a folder or an ending: its run reports it.
          *
          * @throws InputException if another name is neither a built-in patch nor an existing file, or if a folder cannot be read or has no file
          */

@@ -186,8 +186,8 @@ public record WebScene(Map<String, Object> fields, byte[] columns, Map<String, B
     }
 
     /**
-     * Columns of integers: each is written as differences from the value before (the first from 0), of which even numbers are not negative
-     * and odd ones negative, in four planes of bytes, lowest first.
+     * Columns of integers. Each is written as differences from the value before (the first from 0), in four planes of bytes, lowest first;
+     * even numbers stand for differences of 0 and more, odd ones for negative ones.
      */
     private static final class Columns {
         private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();

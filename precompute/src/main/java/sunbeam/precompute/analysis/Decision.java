@@ -90,7 +90,7 @@ enum Decision {
     private static boolean isLikely(Evidence wave) {
         boolean strong =
                 wave.lines() >= 0.2 && wave.prominence() >= 4 && wave.significance() >= 40 && wave.periods() >= 3.5;
-        // Of many periods, in roughness of coarser waves.
+        // A wave of many periods may lie in roughness of coarser waves.
         boolean weak =
                 wave.lines() >= 0.06 && wave.prominence() >= 8 && wave.significance() >= 400 && wave.periods() >= 10;
         return wave.contrast() >= 10 && wave.contrast() < 60 && (strong || weak);

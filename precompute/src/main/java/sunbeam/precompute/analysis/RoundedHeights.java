@@ -16,7 +16,7 @@ final class RoundedHeights {
     private static final double OWN = Math.sqrt(3.0 / 12);
     // Over the scan, in steps; heights of two levels are a grating's, and their plane rises by less.
     private static final double LEAST_TILT = 2;
-    // Of a step: far above the rounding of floats, far below that of noise.
+    // Share of a step, far above the rounding of floats and far below that of noise.
     private static final double WHOLE = 0.01;
     // Filled gaps and edges that were leveled.
     private static final double MOST = 0.98;

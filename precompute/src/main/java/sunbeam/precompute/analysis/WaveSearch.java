@@ -40,9 +40,9 @@ record WaveSearch(HeightMap scan, LineMeasures measures) {
     private static final int HIGHEST_ALIAS = 40;
     // Random surfaces with a ring as spectrum reach 7, gratings and lattices 11 and more.
     static final double LEAST_CONTRAST = 10;
-    // Of waves that hold most of the variance, over the sectors beside them. Of the two or three waves of a ring that
-    // are
-    // left there, which are distributed exponentially, the median is a hundredth of the strongest in 1 of 100 scans.
+    // Contrast of waves that hold most of the variance, over the sectors beside them. A ring leaves two or three waves
+    // there, whose powers are distributed exponentially: their median is a hundredth of the strongest in 1 of 100
+    // scans.
     private static final double CROSSING_CONTRAST = 100;
     private static final double MOST = 0.5;
     // Prominence of gratings; noise along one axis reaches 23.

@@ -26,7 +26,7 @@ public final class LightTree {
     private static final int BITS = 14;
 
     private final RadianceMap map;
-    // Of each pixel: three components of its direction, and luminance times solid angle.
+    // Each pixel has three components of its direction, and its luminance times its solid angle.
     private final float[] directions;
     private final float[] luminances;
     // Pixels with light in the order of Morton's curve over the octahedral map: those of a region follow one another.

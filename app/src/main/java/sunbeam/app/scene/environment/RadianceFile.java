@@ -13,8 +13,8 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Text;
 
 /**
- * Reader of Radiance's pictures of all directions (.hdr; G. Ward, "Real Pixels", Graphics Gems II, 1991). It keeps the means of squares of
- * pixels, row by row, so that a large file takes no more memory than a small one, and a sun of one pixel keeps its energy.
+ * Reader of Radiance's pictures of all directions (.hdr; G. Ward, "Real Pixels", Graphics Gems II, 1991). A large file is averaged over
+ * squares of pixels, row by row: it takes no more memory than a small one, and the light of each pixel counts.
  */
 final class RadianceFile {
     /** Width of the largest file. */
