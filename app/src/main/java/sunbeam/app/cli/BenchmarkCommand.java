@@ -20,7 +20,6 @@ import sunbeam.app.cli.Meter.Measurement;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Method;
@@ -40,6 +39,7 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.work.Progress;
 
 /** {@code sunbeam benchmark}: error of the methods, and their time as a ratio to that of the thesis's shader in the same run. */
 @Command(

@@ -38,6 +38,7 @@ import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.work.Progress;
 
 /**
  * A command over several surfaces, or angles of the light. It runs once for each of them, as if it were called for that one with {@code
@@ -120,7 +121,7 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
         List<ObjectNode> rows = new ArrayList<>();
         String kept = "interrupted; what is finished is kept, add --resume to go on";
         ShutdownHook hook = new ShutdownHook(() -> err.println(Messages.error(kept)));
-        try (ProgressDisplay.Progress progress = display.start("Surfaces", items.size())) {
+        try (Progress progress = display.start("Surfaces", items.size())) {
             for (Item item : items) {
                 ObjectNode row = row(item, folder, err);
                 if (failed(row) && wouldStopAll(code(row), folder)) {

@@ -38,6 +38,7 @@ import sunbeam.app.files.plot.Sheet.Thumbnail;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Output of a collection: {@code table.csv}, {@code sheet.png} with its further pages, {@code reports.jsonl} with a line for each surface,
@@ -172,7 +173,7 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
                 .map(row -> row.get("file").asText())
                 .distinct()
                 .collect(Collectors.groupingBy(file -> name(Path.of(file)), Collectors.counting()));
-        try (ProgressDisplay.Progress progress = display.start("Sheets", rows.size())) {
+        try (Progress progress = display.start("Sheets", rows.size())) {
             for (int first = 0; first < rows.size(); first += Sheet.MOST_THUMBNAILS) {
                 int end = Math.min(rows.size(), first + Sheet.MOST_THUMBNAILS);
                 List<Thumbnail> page = rows.subList(first, end).parallelStream()

@@ -25,7 +25,6 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.color.CieTable;
@@ -40,6 +39,7 @@ import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.work.Progress;
 
 /** Command {@code sunbeam color}: the color of a surface from each viewing angle, as a picture and as numbers. */
 @Command(

@@ -24,7 +24,6 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
@@ -51,6 +50,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.work.Progress;
 
 /** Command {@code sunbeam evaluate}: compares a patch's response to light with the grating equation, as the thesis does in chapter 4. */
 @Command(

@@ -33,7 +33,6 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.Energy;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
@@ -59,6 +58,7 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
+import sunbeam.precompute.work.Progress;
 
 /**
  * BRDF map of one patch of any material: the sum of one map for each part of its reflection and of a lamp. Shaders compute the standard

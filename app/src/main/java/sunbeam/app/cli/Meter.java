@@ -17,7 +17,6 @@ import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.Method;
@@ -32,6 +31,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Measures methods by drawing BRDF maps of one light, without the cache. A time is the median of several frames after a warm-up frame.

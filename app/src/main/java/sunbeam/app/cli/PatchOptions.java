@@ -43,6 +43,7 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.work.Progress;
 
 /** Options of the surface; a picocli mixin. */
 public final class PatchOptions extends SettingOptions {
@@ -125,7 +126,7 @@ public final class PatchOptions extends SettingOptions {
     /** Loads the patch, as the method's preset reads it; the heights of a built-in patch may come from the cache. */
     public Patch load(Choices method, Environment environment, PrintWriter err) {
         BlobCache cache = BlobCache.of(environment, warning -> err.println(Messages.warning(warning)));
-        try (ProgressDisplay.Progress progress = environment.progress().start("Reading the heights", 1)) {
+        try (Progress progress = environment.progress().start("Reading the heights", 1)) {
             Patch patch = load(choices(), method, cache::heights);
             progress.step(1);
             return patch;
@@ -184,7 +185,7 @@ public final class PatchOptions extends SettingOptions {
             UsageException.throwIf(
                     others.size() > MOST,
                     "--with is given " + others.size() + " times; give it " + MOST + " times at most");
-            try (ProgressDisplay.Progress progress = display.start("Reading the heights", 1 + others.size())) {
+            try (Progress progress = display.start("Reading the heights", 1 + others.size())) {
                 List<Patch> patches = new ArrayList<>(List.of(first.load(method)));
                 progress.step(1);
                 for (String name : others) {

@@ -51,6 +51,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.work.Progress;
 
 /** Command {@code sunbeam reflectance}: evaluates a list of directions, to compare with other programs. */
 @Command(
@@ -210,7 +211,7 @@ public final class ReflectanceCommand extends FileCommand {
             try (RenderContext context = RenderContext.offscreen();
                     UploadedTables method = UploadedTables.upload(context, tables);
                     DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());
-                    ProgressDisplay.Progress progress = display.start("Directions", list.size())) {
+                    Progress progress = display.start("Directions", list.size())) {
                 return renderer.evaluate(queries, progress::step).stream()
                         .map(values -> new double[] {values[0], values[1], values[2]})
                         .toList();

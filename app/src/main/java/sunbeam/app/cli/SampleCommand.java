@@ -17,7 +17,6 @@ import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.MemoryException;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -34,6 +33,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.work.Progress;
 
 /** Command {@code sunbeam sample}: writes random rows of light, view and color. */
 @Command(

@@ -16,7 +16,6 @@ import java.util.zip.Deflater;
 import java.util.zip.ZipOutputStream;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.RadialBaker;
 import sunbeam.precompute.errors.Comparison;
@@ -27,6 +26,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.spectrum.PowerSpectrum;
+import sunbeam.precompute.work.Progress;
 
 /** Random rows: a light and a view with their color, or a wavelength and its power. A row depends only on the seed and its number. */
 final class SampleRows {
@@ -40,13 +40,13 @@ final class SampleRows {
 
     private final RadialBaker colors;
     private final PairDensity density;
-    private final ColorBaker.Token token;
+    private final Progress token;
     // Colors of the batch that was checked, which begins at this row.
     private float[] checkedBatch = {};
     private long checkedFirst;
 
     /** @param plan plan with the ensemble average */
-    SampleRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, ColorBaker.Token token) {
+    SampleRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, Progress token) {
         ColorTable table = plan.table();
         this.colors = new RadialBaker(spectrum, cie, table.levels().get(0));
         this.token = token;
@@ -74,7 +74,7 @@ final class SampleRows {
                 places[at++] = (float) (-depth * deepest);
             }
         }
-        float[] xyz = blurred.bakeRepeatably(places, ColorBaker.Token.NONE);
+        float[] xyz = blurred.bakeRepeatably(places, Progress.NONE);
         float[] weights = new float[PairDensity.SIDE * PairDensity.SIDE];
         for (int i = 0; i < xyz.length; i++) {
             int cell = cells[i / (CHANNELS * DEPTHS.length)];
@@ -111,7 +111,7 @@ final class SampleRows {
     }
 
     /** Returns the errors of the first {@code checked} rows of a file against direct sums over wavelengths; keeps its first batch. */
-    ErrorStatistics differenceFromSums(long first, int rows, int checked, ColorBaker.Token checks) {
+    ErrorStatistics differenceFromSums(long first, int rows, int checked, Progress checks) {
         checkedBatch = xyz(first, Math.min(rows, RowFile.BATCH));
         checkedFirst = first;
         float[] exact = colors.direct().bake(places(first, checked), checks);

@@ -13,7 +13,6 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -38,6 +37,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Colors of one surface in two viewing planes. Plane "along" is perpendicular to the lines of the grating or of the strongest wave, or

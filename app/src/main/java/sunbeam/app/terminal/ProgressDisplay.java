@@ -17,7 +17,7 @@ import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBarStyle;
 import me.tongfei.progressbar.ProgressState;
-import sunbeam.precompute.colortable.ColorBaker;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Shows the progress of long tasks and the time left on standard error; the program has one display. A task is shown after 2 s; if several
@@ -74,7 +74,7 @@ public final class ProgressDisplay {
 
     /** Starts a task such as {@code rendering} with a number of steps, at least 0. */
     public Progress start(String label, long total) {
-        return new Progress(label, total, new Line());
+        return new DisplayedProgress(label, total, new Line());
     }
 
     /** In parallel, as a task with one step per item. */
@@ -151,8 +151,7 @@ public final class ProgressDisplay {
         }
     }
 
-    /** Progress of one task, which closes it at its end. Thread-safe. */
-    public static final class Progress implements ColorBaker.Token {
+    private static final class DisplayedProgress implements Progress {
         // Share of the steps done from which the time left is estimated.
         private static final double LEAST_DONE = 0.02;
         private static final int REDRAW_MILLISECONDS = 200;
@@ -161,7 +160,7 @@ public final class ProgressDisplay {
         private final ProgressBar bar;
         private final ShutdownHook hook;
 
-        private Progress(String label, long total, Line line) {
+        DisplayedProgress(String label, long total, Line line) {
             this.line = line;
             // On Ctrl-C the half-drawn line is erased, and none is drawn after it.
             hook = new ShutdownHook(line::close);
@@ -170,7 +169,7 @@ public final class ProgressDisplay {
                     .setInitialMax(total)
                     .setUpdateIntervalMillis(REDRAW_MILLISECONDS)
                     .setStyle(ProgressBarStyle.ASCII)
-                    .setEtaFunction(Progress::timeLeft)
+                    .setEtaFunction(DisplayedProgress::timeLeft)
                     .setConsumer(line)
                     .build();
         }
@@ -184,8 +183,8 @@ public final class ProgressDisplay {
         }
 
         @Override
-        public void step(long count) {
-            bar.stepBy(count);
+        public void step(long steps) {
+            bar.stepBy(steps);
         }
 
         @Override

@@ -11,7 +11,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
+import sunbeam.precompute.work.Progress;
 
 /** Lines of progress and sizes in bytes on the terminal. */
 final class ProgressTest {

@@ -1,5 +1,7 @@
 package sunbeam.precompute.colortable;
 
+import sunbeam.precompute.work.Progress;
+
 /** Evaluates colors of diffracted power, a batch of samples at a time. */
 public interface ColorBaker extends AutoCloseable {
     int COLORS = 3;
@@ -7,24 +9,8 @@ public interface ColorBaker extends AutoCloseable {
     /** Most samples per batch: 50 MB of input, and as much output. */
     int LARGEST_BATCH = 1 << 22;
 
-    /** Progress and cancellation of a bake. Thread-safe. */
-    @FunctionalInterface
-    interface Token extends AutoCloseable {
-        Token NONE = samples -> {};
-
-        /**
-         * Reports progress; throws CancellationException if the bake was cancelled.
-         *
-         * @param samples number done since the last call; 0 only tests for cancellation
-         */
-        void step(long samples);
-
-        @Override
-        default void close() {}
-    }
-
     /** Returns CIE X, Y, Z of the power at each u, v, w (at most 0); consecutive samples of one (u, v) share work. */
-    float[] bake(float[] uvw, Token token);
+    float[] bake(float[] uvw, Progress token);
 
     /** Returns a baker of the same colors without interpolation between samples: slower, for validation. */
     default ColorBaker direct() {

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Bakes the tiles of a level: filter coefficients of square roots of X, Y and Z. Stores the samples, since a tile's prefilter also reads
@@ -54,7 +55,7 @@ public final class LevelBaking {
     }
 
     /** Returns {@link #TILE_NUMBERS} encoded numbers per tile, in ascending order; does not evaluate samples again after a failure. */
-    public List<byte[]> bake(BitSet tiles, ColorBaker baker, ColorBaker.Token token) {
+    public List<byte[]> bake(BitSet tiles, ColorBaker baker, Progress token) {
         Map<Integer, BitSet> missingTexels = missingTexels(tiles);
         missingTexels.values().removeIf(BitSet::isEmpty);
         // Sorted by angle, so that a batch is a wedge: few of the rays along which bakers compute cross two batches.
@@ -81,7 +82,7 @@ public final class LevelBaking {
     /**
      * Orders the samples of all slices at one (u, v) together, and a tile's (u, v) in Morton order: successive ones read like frequencies.
      */
-    private void bake(int[] tiles, Map<Integer, BitSet> missingTexels, ColorBaker baker, ColorBaker.Token token) {
+    private void bake(int[] tiles, Map<Integer, BitSet> missingTexels, ColorBaker baker, Progress token) {
         BitSet[] missing = Arrays.stream(tiles).mapToObj(missingTexels::get).toArray(BitSet[]::new);
         int count = Arrays.stream(missing).mapToInt(BitSet::cardinality).sum();
         int[] tileOf = new int[count];

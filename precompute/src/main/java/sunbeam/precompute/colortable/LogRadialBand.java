@@ -4,6 +4,7 @@ import java.util.Arrays;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.colortable.Interpolation.SplineFilter;
+import sunbeam.precompute.work.Progress;
 
 /** Rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
 record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions positions) {
@@ -121,7 +122,7 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
             this.tileRays = firstRay(sector + 1) + MARGIN + 1 - firstRay;
         }
 
-        float[] bake(float[] uvw, ColorBaker.Token token) {
+        float[] bake(float[] uvw, Progress token) {
             float[][] planes = planes(token);
             float[] xyz = new float[uvw.length];
             double[] alongRay = new double[QuinticSpline.TAPS];
@@ -184,7 +185,7 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
         }
 
         /** Returns spline coefficients of sqrt(X), sqrt(Y), sqrt(Z), {@code [slice * 3 + color][position * tileRays + ray]}. */
-        private float[][] planes(ColorBaker.Token token) {
+        private float[][] planes(Progress token) {
             float[][] planes = new float[COLORS * slices.depths().length][tileRays * positions.count()];
             LogPolarConvolution convolution = new LogPolarConvolution(start, positions, slices.depths(), powers.bins());
             int next;

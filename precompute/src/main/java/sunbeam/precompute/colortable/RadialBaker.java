@@ -14,6 +14,7 @@ import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.colortable.TileGrid.TableSpace;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.spectrum.PowerSpectrum;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Evaluates colors of the ensemble average along rays of (u, v) through the origin, for all wavelengths and positions of a ray at once
@@ -84,17 +85,17 @@ public final class RadialBaker implements ColorBaker {
     }
 
     @Override
-    public float[] bake(float[] uvw, ColorBaker.Token token) {
+    public float[] bake(float[] uvw, Progress token) {
         return bake(uvw, samples -> DepthInterpolation.fewest(samples, sliceStep), token);
     }
 
     /** Bakes with fixed slices of w: a sample's color does not depend on the other samples. */
-    public float[] bakeRepeatably(float[] uvw, ColorBaker.Token token) {
+    public float[] bakeRepeatably(float[] uvw, Progress token) {
         DepthInterpolation slices = DepthInterpolation.equallySpaced(0, ColorTable.DEEPEST, sliceStep);
         return bake(uvw, samples -> slices, token);
     }
 
-    private float[] bake(float[] uvw, Function<float[], DepthInterpolation> slices, ColorBaker.Token token) {
+    private float[] bake(float[] uvw, Function<float[], DepthInterpolation> slices, Progress token) {
         // Band, sector and sample, sorted: a run of samples for each tile. After the last band comes the inner disc.
         long[] byTile = IntStream.range(0, uvw.length / COLORS)
                 .parallel()
@@ -118,7 +119,7 @@ public final class RadialBaker implements ColorBaker {
             int band = (int) (tile >>> SECTOR_BITS);
             int sector = (int) (tile - ((long) band << SECTOR_BITS));
             float[] colors = band == bands.size()
-                    ? direct.bake(tileUvw, ColorBaker.Token.NONE)
+                    ? direct.bake(tileUvw, Progress.NONE)
                     : bands.get(band).new Tile(sector, powers, slices.apply(tileUvw)).bake(tileUvw, token);
             for (int i = 0; i < samples.length; i++) {
                 System.arraycopy(colors, COLORS * i, xyz, COLORS * samples[i], COLORS);
@@ -189,7 +190,7 @@ public final class RadialBaker implements ColorBaker {
         }
 
         @Override
-        public float[] bake(float[] uvw, ColorBaker.Token token) {
+        public float[] bake(float[] uvw, Progress token) {
             float[] xyz = new float[uvw.length];
             int[] columns = columns(uvw);
             IntStream.range(0, columns.length - 1).parallel().forEach(column -> {

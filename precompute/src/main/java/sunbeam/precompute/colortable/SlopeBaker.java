@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.spectrum.PowerSpectrum;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Bakes colors of a surface with relief finer than a pixel: means of the ensemble average over normally distributed slopes s, each of which
@@ -60,7 +61,7 @@ public record SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid p
     }
 
     @Override
-    public float[] bake(float[] uvw, ColorBaker.Token token) {
+    public float[] bake(float[] uvw, Progress token) {
         float[] xyz = new float[uvw.length];
         int[] columns = RadialBaker.DirectBaker.columns(uvw);
         Map<Integer, Nodes> nodes = new ConcurrentHashMap<>();

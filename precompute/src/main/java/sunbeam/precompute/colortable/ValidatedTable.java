@@ -25,6 +25,7 @@ import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Table of one level for points, compared with its source at directions between its texels, and refined until it keeps its tolerance. The
@@ -64,7 +65,7 @@ public record ValidatedTable(AtlasPages pages, ErrorStatistics errors) {
             TablePoints points,
             LevelBaking.CachedTiles cached,
             Function<TableDesign, ColorBaker> bakers,
-            LongFunction<ColorBaker.Token> tokens) {
+            LongFunction<Progress> tokens) {
         TileGrid grid = TileGrid.of(levels.levels().get(0));
         BitSet tiles = points.tiles(grid);
         Map<Integer, byte[]> read = cached.present(0, tiles).equals(tiles) ? cached.read(0, tiles) : Map.of();
@@ -75,14 +76,13 @@ public record ValidatedTable(AtlasPages pages, ErrorStatistics errors) {
         read.forEach((tile, coefficients) -> pages.add(0, tile, coefficients));
         List<DirectionPair> samples = points.samples();
         try (ColorBaker baker = bakers.apply(grid.design());
-                ColorBaker.Token token = tokens.apply(samples.size())) {
+                Progress token = tokens.apply(samples.size())) {
             return Optional.of(of(pages, baker, token, samples)).filter(table -> table.excess(levels.tolerance()) <= 1);
         }
     }
 
     /** Compares a table with its source at the first samples, until {@link #ENOUGH} of them are bright. */
-    private static ValidatedTable of(
-            AtlasPages pages, ColorBaker baker, ColorBaker.Token token, List<DirectionPair> samples) {
+    private static ValidatedTable of(AtlasPages pages, ColorBaker baker, Progress token, List<DirectionPair> samples) {
         AtlasPages.TableLookUp table = pages.lookUp();
         List<Comparison> bright = new ArrayList<>();
         for (int start = 0; start < samples.size() && bright.size() < ENOUGH; start += ENOUGH) {
@@ -110,12 +110,12 @@ public record ValidatedTable(AtlasPages pages, ErrorStatistics errors) {
             TileGrid grid,
             BitSet tiles,
             Function<TableDesign, ColorBaker> bakers,
-            LongFunction<ColorBaker.Token> tokens,
+            LongFunction<Progress> tokens,
             List<DirectionPair> samples) {
         LevelBaking baking = new LevelBaking(grid, NumberFormat.FLOAT);
         AtlasPages pages = new AtlasPages(List.of(grid), NumberFormat.FLOAT);
         try (ColorBaker baker = bakers.apply(grid.design());
-                ColorBaker.Token token = tokens.apply(baking.missing(tiles) + samples.size())) {
+                Progress token = tokens.apply(baking.missing(tiles) + samples.size())) {
             Iterator<byte[]> coefficients = baking.bake(tiles, baker, token).iterator();
             tiles.stream().forEach(tile -> pages.add(0, tile, coefficients.next()));
             return of(pages, baker, token, samples);
@@ -131,7 +131,7 @@ public record ValidatedTable(AtlasPages pages, ErrorStatistics errors) {
             TablePoints points,
             TableDesign coarsest,
             Function<TableDesign, ColorBaker> bakers,
-            LongFunction<ColorBaker.Token> tokens,
+            LongFunction<Progress> tokens,
             Predicate<MemoryNeed> room,
             Consumer<TableDesign> refused,
             Diagnostics diagnostics) {

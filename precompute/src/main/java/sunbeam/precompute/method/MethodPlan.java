@@ -14,6 +14,7 @@ import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.spectrum.FourierTable;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Plan of a method for a surface and the directions that can occur.
@@ -72,7 +73,7 @@ public record MethodPlan(
         ColorBaker baker(ShaderTables tables);
 
         /** Shows the progress of baking samples until the caller closes it. */
-        ColorBaker.Token progress(long samples);
+        Progress progress(long samples);
 
         boolean hasTiles();
 

@@ -24,6 +24,7 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.DirectionPairs;
 import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.work.Progress;
 
 class ColorTableTest {
     private static final GaussianArea ENSEMBLE = RadialBakerTest.ensemble(12e-6);
@@ -127,7 +128,7 @@ class ColorTableTest {
             }
             return places;
         };
-        new LevelBaking(grid, NumberFormat.FLOAT).bake(tiles, checking, ColorBaker.Token.NONE);
+        new LevelBaking(grid, NumberFormat.FLOAT).bake(tiles, checking, Progress.NONE);
         assertThat(tiles.cardinality()).isPositive();
         assertThat(points.memory(DESIGN).textureBytes())
                 .isGreaterThanOrEqualTo(AtlasPages.texels(tiles.cardinality()).bytes());

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.precompute.colortable.TileGrid.TableSpace;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.work.Progress;
 
 /** Tiles of a level: their baking, the interpolation between their texels, and the numbers that they store. */
 class LevelBakingTest {
@@ -80,7 +81,7 @@ class LevelBakingTest {
         Arrays.stream(places).forEach(at -> tiles.or(tilesOf(grid, at[0], at[1], -0.5)));
         AtlasPages pages = new AtlasPages(List.of(grid), NumberFormat.FLOAT);
         Iterator<byte[]> baked = new LevelBaking(grid, NumberFormat.FLOAT)
-                .bake(tiles, WAVES, ColorBaker.Token.NONE)
+                .bake(tiles, WAVES, Progress.NONE)
                 .iterator();
         tiles.stream().forEach(tile -> pages.add(0, tile, baked.next()));
         double squares = 0;
@@ -111,7 +112,7 @@ class LevelBakingTest {
             token.step(uvw.length / 3);
             return waves(uvw);
         };
-        ColorBaker.Token token = samples -> {
+        Progress token = samples -> {
             if (done[0] > all / 2) {
                 throw new CancellationException();
             }
@@ -119,8 +120,8 @@ class LevelBakingTest {
         };
         assertThatThrownBy(() -> baking.bake(tiles, canceled, token)).isInstanceOf(CancellationException.class);
         assertThat(baking.missing(tiles)).isEqualTo(all - done[0]).isLessThan(3 * all / 4);
-        List<byte[]> resumed = baking.bake(tiles, WAVES, ColorBaker.Token.NONE);
-        List<byte[]> whole = new LevelBaking(GRID, NumberFormat.FLOAT).bake(tiles, WAVES, ColorBaker.Token.NONE);
+        List<byte[]> resumed = baking.bake(tiles, WAVES, Progress.NONE);
+        List<byte[]> whole = new LevelBaking(GRID, NumberFormat.FLOAT).bake(tiles, WAVES, Progress.NONE);
         assertThat(resumed).containsExactlyElementsOf(whole);
     }
 
@@ -132,13 +133,13 @@ class LevelBakingTest {
         both.or(right);
         LevelBaking together = new LevelBaking(GRID, NumberFormat.FLOAT);
         long all = together.missing(both);
-        List<byte[]> made = together.bake(both, WAVES, ColorBaker.Token.NONE);
+        List<byte[]> made = together.bake(both, WAVES, Progress.NONE);
         assertThat(together.missing(both)).isZero();
         LevelBaking apart = new LevelBaking(GRID, NumberFormat.FLOAT);
         long first = apart.missing(left);
-        apart.bake(left, WAVES, ColorBaker.Token.NONE);
+        apart.bake(left, WAVES, Progress.NONE);
         assertThat(first + apart.missing(right)).as("samples in all").isEqualTo(all);
-        List<byte[]> later = apart.bake(right, WAVES, ColorBaker.Token.NONE);
+        List<byte[]> later = apart.bake(right, WAVES, Progress.NONE);
         // Numbers of tiles ascend, as tiles do in a list.
         int[] numbers = both.stream().toArray();
         int[] ofRight =

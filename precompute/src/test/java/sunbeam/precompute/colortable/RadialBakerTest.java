@@ -30,6 +30,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.DirectionPairs;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.spectrum.PowerSpectrum;
+import sunbeam.precompute.work.Progress;
 
 class RadialBakerTest {
     private static final GaussianArea ENSEMBLE = ensemble(10e-6);
@@ -140,7 +141,7 @@ class RadialBakerTest {
             return new double[] {wavelength / 1.25e-6, 0, -1.5};
         });
         float[] xyz =
-                baker(spectrum(map, ENSEMBLE, area, tolerance), area, 0.0009).bake(places, ColorBaker.Token.NONE);
+                baker(spectrum(map, ENSEMBLE, area, tolerance), area, 0.0009).bake(places, Progress.NONE);
         double order = xyz[3 * 39 + 2];
         assertThat(order).isGreaterThan(1e-3);
         double largest =
@@ -179,8 +180,8 @@ class RadialBakerTest {
     void colorsAtAnyDepthAreThoseOfSinglePlaces() {
         float[] places = samples(300, i -> new double[] {0.5, 0.2 + 0.002 * i, -0.5 - 4e-3 * i});
         RadialBaker colors = smallBaker();
-        float[] exact = colors.direct().bake(places, ColorBaker.Token.NONE);
-        float[] xyz = colors.bake(places, ColorBaker.Token.NONE);
+        float[] exact = colors.direct().bake(places, Progress.NONE);
+        float[] xyz = colors.bake(places, Progress.NONE);
         double[] errors = errors(xyz, i -> new double[] {exact[3 * i], exact[3 * i + 1], exact[3 * i + 2]});
         // On this line more places are as dark as 1e-6 than in colorsAreThoseOfTheReference.
         check(errors, 1e-4, 5e-3);
@@ -190,9 +191,9 @@ class RadialBakerTest {
     void aRepeatableColorDoesNotDependOnItsBatch() {
         RadialBaker colors = smallBaker();
         float[] samples = places(40);
-        float[] together = colors.bakeRepeatably(samples, ColorBaker.Token.NONE);
+        float[] together = colors.bakeRepeatably(samples, Progress.NONE);
         for (int i = 0; i < samples.length; i += 3) {
-            float[] alone = colors.bakeRepeatably(Arrays.copyOfRange(samples, i, i + 3), ColorBaker.Token.NONE);
+            float[] alone = colors.bakeRepeatably(Arrays.copyOfRange(samples, i, i + 3), Progress.NONE);
             assertThat(alone).containsExactly(Arrays.copyOfRange(together, i, i + 3));
         }
     }
@@ -200,7 +201,7 @@ class RadialBakerTest {
     @Test
     void aCanceledBatchEnds() {
         RadialBaker colors = smallBaker();
-        ColorBaker.Token canceled = samples -> {
+        Progress canceled = samples -> {
             throw new CancellationException();
         };
         assertThatThrownBy(() -> colors.bake(places(40), canceled)).isInstanceOf(CancellationException.class);
@@ -227,7 +228,7 @@ class RadialBakerTest {
             Vector3D along = across.crossProduct(normal);
             return new double[] {along.dotProduct(uvw), across.dotProduct(uvw), normal.dotProduct(uvw)};
         });
-        float[] colors = points.direct().bake(turned, ColorBaker.Token.NONE);
+        float[] colors = points.direct().bake(turned, Progress.NONE);
         double[] sum = new double[3];
         for (int i = 0; i < colors.length; i++) {
             sum[i % 3] += weights[i / 3] * colors[i];
@@ -252,7 +253,7 @@ class RadialBakerTest {
                 new double[] {0.9, 0.3, -1.4},
                 new double[] {-0.2, 1.1, -0.8});
         for (double[] place : places) {
-            float[] found = colors.bake(samples(1, i -> place), ColorBaker.Token.NONE);
+            float[] found = colors.bake(samples(1, i -> place), Progress.NONE);
             double[] mean = mean(points, place);
             for (int c = 0; c < 3; c++) {
                 // Third order of slopes: 1.5 % where w changes most. Without the turn of w colors err by 3 % and more.

@@ -23,6 +23,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.DirectionPairs;
+import sunbeam.precompute.work.Progress;
 
 /** Tables checked at directions between their samples. */
 class ValidatedTableTest {
@@ -65,7 +66,7 @@ class ValidatedTableTest {
                 points,
                 coarsest,
                 bakers,
-                samples -> ColorBaker.Token.NONE,
+                samples -> Progress.NONE,
                 need -> hasRoom,
                 design -> {
                     throw new IllegalStateException("no room for " + design.step());
@@ -106,7 +107,7 @@ class ValidatedTableTest {
         while (errors.size() < 1000) {
             // Directions other than the checked ones.
             DirectionPair pair = new DirectionPair(LIGHT, DirectionPairs.direction(random));
-            float exact = CANCELLING.bake(uvw(pair), ColorBaker.Token.NONE)[1];
+            float exact = CANCELLING.bake(uvw(pair), Progress.NONE)[1];
             errors.add(Math.abs(xyz(made, pair)[1] - exact) / exact);
         }
         errors.sort(null);
@@ -208,12 +209,12 @@ class ValidatedTableTest {
             @Override
             public Map<Integer, byte[]> read(int level, BitSet tiles) {
                 List<byte[]> made = new LevelBaking(TileGrid.of(levels.levels().get(0)), levels.numbers())
-                        .bake(tiles, SMOOTH, ColorBaker.Token.NONE);
+                        .bake(tiles, SMOOTH, Progress.NONE);
                 int[] numbers = tiles.stream().toArray();
                 return IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get));
             }
         };
-        return ValidatedTable.cached(levels, ONE_LIGHT, cached, design -> baker, samples -> ColorBaker.Token.NONE);
+        return ValidatedTable.cached(levels, ONE_LIGHT, cached, design -> baker, samples -> Progress.NONE);
     }
 
     @Test
@@ -227,7 +228,7 @@ class ValidatedTableTest {
         ValidatedTable found = lookUp(levels, new BitSet(), SMOOTH).orElseThrow();
         assertThat(found.grid().slices()).isEqualTo(levels.slices());
         DirectionPair pair = new DirectionPair(LIGHT, Direction.ofDegrees(50, 200));
-        double exact = SMOOTH.bake(uvw(pair), ColorBaker.Token.NONE)[0];
+        double exact = SMOOTH.bake(uvw(pair), Progress.NONE)[0];
         assertThat(xyz(found, pair)[0]).isCloseTo(exact, within(TOLERANCE * exact));
         assertThat(lookUp(levels, one, SMOOTH)).isEmpty();
         assertThat(lookUp(levels, new BitSet(), other)).isEmpty();

@@ -6,6 +6,7 @@ import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.numerics.Lagrange;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Ensemble-averaged colors C(u, v, w) on a regular grid, under the window of a color table's level, whose scale converts them to power
@@ -85,7 +86,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
     }
 
     /** Bakes all texels that any two directions reach, sorted by azimuth, so that a batch is a wedge and batches share few rays. */
-    void bake(ColorBaker baker, ColorBaker.Token token) {
+    void bake(ColorBaker baker, Progress token) {
         int[] byAngle = IntStream.range(0, shape.texels())
                 .filter(texel -> shape.slicesAt(texel) > 0)
                 .mapToLong(texel -> {
@@ -106,7 +107,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         }
     }
 
-    private void bake(int[] texels, int samples, ColorBaker baker, ColorBaker.Token token) {
+    private void bake(int[] texels, int samples, ColorBaker baker, Progress token) {
         float[] uvw = new float[CHANNELS * samples];
         int at = 0;
         for (int texel : texels) {

@@ -7,7 +7,6 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.MemoryException;
-import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthBand.SpectralBands;
@@ -19,6 +18,7 @@ import sunbeam.precompute.colortable.SlopeBaker;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.spectrum.PowerSpectrum;
+import sunbeam.precompute.work.Progress;
 
 /** Bakes color grids for the ensemble-averaged levels of a color table; coarser levels have wider orders (docs/color-tables.md). */
 final class GridBaker {
@@ -102,7 +102,7 @@ final class GridBaker {
 
     /** Returns the size of the file, for which some formats compress the whole grid. */
     private long bytes(ColorGrid grid, Limit limit) {
-        try (ProgressDisplay.Progress progress = setup.progress().start("Size of the " + label(grid.level()), 1)) {
+        try (Progress progress = setup.progress().start("Size of the " + label(grid.level()), 1)) {
             long bytes = limit.writer().bytes(grid);
             progress.step(1);
             return bytes;
@@ -133,7 +133,7 @@ final class GridBaker {
 
     ColorGrid bake(CieTable functions, ColorTable.Level level, GridShape shape) {
         ColorGrid grid = ColorGrid.empty(level, shape);
-        try (ProgressDisplay.Progress progress = setup.progress().start("Colors, " + label(level), shape.evaluated())) {
+        try (Progress progress = setup.progress().start("Colors, " + label(level), shape.evaluated())) {
             grid.bake(baker(functions, level), progress);
         }
         return grid;

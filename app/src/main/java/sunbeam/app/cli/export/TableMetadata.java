@@ -36,6 +36,7 @@ import sunbeam.precompute.reference.ExactLight.Quadrature;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Metadata that every output states; the grid is as a reader sees it, and a divisor means that energy is conserved.
@@ -300,7 +301,7 @@ record TableMetadata(
                     places[3 * i + 1] = (float) pairs.get(i).v();
                     places[3 * i + 2] = (float) pairs.get(i).w();
                 }
-                float[] xyz = baker.direct().bake(places, ColorBaker.Token.NONE);
+                float[] xyz = baker.direct().bake(places, Progress.NONE);
                 for (int i = 0; i < pairs.size() && bright.size() < SUM_PAIRS / 2; i++) {
                     Comparison one = comparison(grid, pairs.get(i), Comparison.xyz(xyz, i));
                     if (one.bright()) {

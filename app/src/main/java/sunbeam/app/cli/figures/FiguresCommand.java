@@ -24,6 +24,7 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.work.Progress;
 
 /** Command {@code sunbeam figures}: runs the commands of the manifest, one per picture, and writes a page of them. */
 @Command(
@@ -132,7 +133,7 @@ public final class FiguresCommand extends FileCommand {
         int code = ExitCode.OK.code();
         List<Figure.Drawing> all =
                 drawings.values().stream().flatMap(List::stream).toList();
-        try (ProgressDisplay.Progress progress = display.start("Figures", all.size())) {
+        try (Progress progress = display.start("Figures", all.size())) {
             for (Figure.Drawing drawing : all) {
                 int result = draw(drawing, drawings.get(drawing.figure()));
                 if (result == ExitCode.INTERRUPTED.code()) {

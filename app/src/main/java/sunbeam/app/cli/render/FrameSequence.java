@@ -46,7 +46,6 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.FullMethod;
@@ -54,6 +53,7 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.work.Progress;
 
 /** Draws frames, tile by tile, and writes each as soon as it is finished. */
 public final class FrameSequence implements AutoCloseable {

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import sunbeam.app.gpu.colors.VirtualTexture.CancellationToken;
+import sunbeam.app.work.CancellationToken;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.LevelBaking;
@@ -19,6 +19,7 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.numerics.Floats;
+import sunbeam.precompute.work.Progress;
 
 /** Bakes tiles of a color table or reads cached ones. Not thread-safe; a level's baker may need the thread that opened it. */
 final class CachedBaker implements Scheduler.TileBaker {
@@ -82,7 +83,7 @@ final class CachedBaker implements Scheduler.TileBaker {
         return tiles.collect(BitSet::new, BitSet::set, BitSet::or);
     }
 
-    private Scheduler.BakedTiles bake(int level, BitSet tiles, ColorBaker.Token token) {
+    private Scheduler.BakedTiles bake(int level, BitSet tiles, Progress token) {
         Map<Integer, byte[]> all = new TreeMap<>(cached().read(level, tiles));
         BitSet missing = (BitSet) tiles.clone();
         all.keySet().forEach(missing::clear);
@@ -100,7 +101,7 @@ final class CachedBaker implements Scheduler.TileBaker {
 
     List<Scheduler.BakedTiles> bakeAll(TileSet tiles) {
         List<Scheduler.BakedTiles> all = new ArrayList<>();
-        try (ColorBaker.Token progress = bakers.sources().progress(missing(tiles))) {
+        try (Progress progress = bakers.sources().progress(missing(tiles))) {
             for (int level = 0; level < tiles.levels(); level++) {
                 if (!tiles.of(level).isEmpty()) {
                     all.add(bake(level, tiles.of(level), progress));
@@ -124,7 +125,7 @@ final class CachedBaker implements Scheduler.TileBaker {
     }
 
     /** Validates newly baked tiles at some footprints; beyond the tolerance warns once and discards the cached tiles. */
-    void validate(List<Footprints.Tabulated> sample, ColorBaker.Token token) {
+    void validate(List<Footprints.Tabulated> sample, Progress token) {
         if (hasBaked && !warned) {
             VirtualTexture.miss(errors(sample, token), table().tolerance()).ifPresent(line -> {
                 warned = true;
@@ -134,7 +135,7 @@ final class CachedBaker implements Scheduler.TileBaker {
         }
     }
 
-    ErrorStatistics errors(List<Footprints.Tabulated> sample, ColorBaker.Token token) {
+    ErrorStatistics errors(List<Footprints.Tabulated> sample, Progress token) {
         List<Comparison> compared = new ArrayList<>();
         sample.stream()
                 .collect(Collectors.groupingBy(Footprints.Tabulated::level))
@@ -159,12 +160,12 @@ final class CachedBaker implements Scheduler.TileBaker {
     }
 
     /** Bakes colors of points of the patch at once: neighbors share work. */
-    float[] bakePoints(float[] places, ColorBaker.Token token) {
+    float[] bakePoints(float[] places, Progress token) {
         return baker(POINTS).bake(places, token);
     }
 
     /** Evaluates colors of a level, not yet multiplied by the level's scale. */
-    private float[] evaluate(int level, float[] places, ColorBaker.Token token) {
+    private float[] evaluate(int level, float[] places, Progress token) {
         ColorBaker direct = baker(level).direct();
         float[] xyz = new float[places.length];
         for (int from = 0; from < places.length; from += 3 * SAMPLE_BATCH) {

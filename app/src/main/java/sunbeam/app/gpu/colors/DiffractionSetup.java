@@ -16,7 +16,6 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.ProgressDisplay;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
@@ -38,6 +37,7 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.spectrum.FourierTable;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Loaded patch and the cache of its tables, each under a hash of all that determines it; damaged ones are made again.
@@ -120,7 +120,7 @@ public record DiffractionSetup(
     }
 
     @Override
-    public ColorBaker.Token progress(long samples) {
+    public Progress progress(long samples) {
         return progress.start("Colors of " + surface.name(), samples);
     }
 

@@ -13,6 +13,7 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.plan.ShaderTables;
+import sunbeam.precompute.work.Progress;
 
 /** Bakes colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may call it. */
 record GpuBaker(
@@ -45,7 +46,7 @@ record GpuBaker(
     }
 
     @Override
-    public float[] bake(float[] uvw, ColorBaker.Token token) {
+    public float[] bake(float[] uvw, Progress token) {
         int count = uvw.length / 3;
         float[] xyz = new float[uvw.length];
         for (int start = 0; start < count; start += SIDE * SIDE) {

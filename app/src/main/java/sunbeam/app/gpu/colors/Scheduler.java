@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.stream.IntStream;
-import sunbeam.app.gpu.colors.VirtualTexture.CancellationToken;
+import sunbeam.app.work.CancellationToken;
 
 /**
  * Schedules baking on an executor, the most urgent tiles first. A more urgent request cancels the running job, which is resumed later.

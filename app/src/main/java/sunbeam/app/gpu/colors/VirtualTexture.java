@@ -3,19 +3,19 @@ package sunbeam.app.gpu.colors;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.stream.Stream;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
 import jrtr.gl.Texture;
-import sunbeam.precompute.colortable.ColorBaker;
+import sunbeam.app.work.CancellationToken;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.work.Progress;
 
 /**
  * Virtual texture of a color table: only those tiles are resident that footprints read. They are baked while the caller waits ({@link
@@ -101,7 +101,7 @@ public final class VirtualTexture implements AutoCloseable {
     /** Returns the errors of the table at a sample of the feedback's footprints, whose tiles must be resident. Clears the feedback. */
     public ErrorStatistics errors() {
         feedback.clear();
-        return baker.errors(sample.drain(residency), ColorBaker.Token.NONE);
+        return baker.errors(sample.drain(residency), Progress.NONE);
     }
 
     /**
@@ -254,25 +254,5 @@ public final class VirtualTexture implements AutoCloseable {
     public void close() {
         scheduler.ifPresentOrElse(Scheduler::close, baker::close);
         residency.close();
-    }
-
-    /** Cancels a job cooperatively. Thread-safe. */
-    public static final class CancellationToken implements ColorBaker.Token {
-        private volatile boolean isCancelled;
-
-        public void cancel() {
-            isCancelled = true;
-        }
-
-        public boolean isCancelled() {
-            return isCancelled;
-        }
-
-        @Override
-        public void step(long samples) {
-            if (isCancelled) {
-                throw new CancellationException("these tiles are not wanted now");
-            }
-        }
     }
 }

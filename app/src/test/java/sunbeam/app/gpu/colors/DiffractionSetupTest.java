@@ -20,7 +20,6 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.RadialBaker;
@@ -45,6 +44,7 @@ import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableArray;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.spectrum.PowerSpectrum;
+import sunbeam.precompute.work.Progress;
 
 /** Tables are made once, and are read back unchanged. */
 class DiffractionSetupTest {
@@ -152,7 +152,7 @@ class DiffractionSetupTest {
                         tiles,
                         new RadialBaker(
                                 spectrum, CieTable.load(), all.table().levels().get(0)),
-                        ColorBaker.Token.NONE)
+                        Progress.NONE)
                 .iterator();
         try (CachedTiles kept = setup().tiles(all)) {
             tiles.stream().forEach(tile -> kept.keep(0, Map.of(tile, baked.next())));

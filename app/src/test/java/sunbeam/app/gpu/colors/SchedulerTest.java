@@ -13,7 +13,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.gpu.colors.VirtualTexture.CancellationToken;
+import sunbeam.app.work.CancellationToken;
 
 /** The scheduler on an executor that the test controls; events may occur during its work. */
 final class SchedulerTest {

@@ -19,14 +19,13 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.gpu.colors.VirtualTexture.CancellationToken;
 import sunbeam.app.render.InAScene;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.ViewerInAWindow;
+import sunbeam.app.work.CancellationToken;
 import sunbeam.precompute.colortable.AtlasPages;
 import sunbeam.precompute.colortable.AtlasPages.TableLookUp;
-import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.Interpolation;
 import sunbeam.precompute.colortable.LevelBaking;
@@ -43,6 +42,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.work.Progress;
 
 /** A color table whose tiles are baked and one whose tiles are in the cache; the look-ups of shader and Java agree. */
 @NeedsDisplay
@@ -148,7 +148,7 @@ class VirtualTextureTest {
             AtlasPages cells = new AtlasPages(List.of(grid), numbers);
             BitSet tiles = grid.reachable();
             Iterator<byte[]> made = new LevelBaking(grid, numbers)
-                    .bake(tiles, (uvw, token) -> waves(uvw), ColorBaker.Token.NONE)
+                    .bake(tiles, (uvw, token) -> waves(uvw), Progress.NONE)
                     .iterator();
             tiles.stream().forEach(tile -> cells.add(0, tile, made.next()));
             ShaderTables.Builder tables = new ShaderTables.Builder("table");
@@ -156,7 +156,7 @@ class VirtualTextureTest {
             float[] places = places(1000);
             float[] shown;
             try (GpuBaker colors = GpuBaker.of(tables.build(1e-5, 0.1))) {
-                shown = colors.bake(places, ColorBaker.Token.NONE);
+                shown = colors.bake(places, Progress.NONE);
             }
             TableLookUp table = cells.lookUp();
             for (int i = 0; i < shown.length; i += 3) {

@@ -1,0 +1,2 @@
+/** Progress and cancellation of long computations. */
+package sunbeam.precompute.work;
