@@ -14,6 +14,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Plot.Axis;
@@ -205,12 +206,12 @@ final class BenchmarkPage {
         }
         written.add(AtomicFile.write(folder.resolve(NUMBERS), overwrite, csv()));
         text.append(Text.format("%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
-        written.add(0, AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text)));
+        written.add(0, AtomicFile.write(page, overwrite, StreamContent.of(text)));
         return written;
     }
 
-    private AtomicFile.StreamContent csv() {
-        return AtomicFile.StreamContent.of(CsvWriter.text(numbers()));
+    private StreamContent csv() {
+        return StreamContent.of(CsvWriter.text(numbers()));
     }
 
     private static Plot plot(List<Measurement> rows, int width) {

@@ -23,11 +23,11 @@ import sunbeam.app.cli.MaterialMap.Result;
 import sunbeam.app.cli.PatchOptions.IndexOption;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.AtomicFile.StreamContent;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.LinearFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.PictureFile;
@@ -43,6 +43,7 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Angles;
@@ -266,7 +267,7 @@ public final class BrdfMapCommand extends FileCommand {
                 !material.isConstant() && certify.count().isPresent(),
                 "--certify holds one integral against the reference, but an --index by wavelength takes"
                         + " two; give a number, or leave out --certify");
-        MethodSettings.FresnelFactor.requireFor(material, asked);
+        FresnelFactor.requireFor(material, asked);
         return material;
     }
 

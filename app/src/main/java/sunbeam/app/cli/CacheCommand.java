@@ -17,7 +17,7 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.TableLabel;
 import sunbeam.precompute.text.Text;
 
 /** {@code sunbeam cache}: lists and deletes cached tables. */

@@ -33,6 +33,7 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.files.plot.Sheet.Thumbnail;
 import sunbeam.app.terminal.ProgressDisplay;
@@ -163,11 +164,11 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
     List<Path> write(String command, List<ObjectNode> rows, ProgressDisplay display) {
         List<Path> written = new ArrayList<>();
         String lines = rows.stream().map(row -> row + "\n").collect(Collectors.joining());
-        AtomicFile.write(file(REPORTS, ".jsonl"), Overwrite.REPLACE, AtomicFile.StreamContent.of(lines));
+        AtomicFile.write(file(REPORTS, ".jsonl"), Overwrite.REPLACE, StreamContent.of(lines));
         String table = CsvWriter.text(
                 List.copyOf(cells(command, NO_SURFACE).keySet()),
                 rows.stream().map(row -> cells(command, row)).toList());
-        written.add(AtomicFile.write(file("table", ".csv"), Overwrite.REPLACE, AtomicFile.StreamContent.of(table)));
+        written.add(AtomicFile.write(file("table", ".csv"), Overwrite.REPLACE, StreamContent.of(table)));
         written.add(file(REPORTS, ".jsonl"));
         Map<String, Long> files = rows.stream()
                 .map(row -> row.get("file").asText())

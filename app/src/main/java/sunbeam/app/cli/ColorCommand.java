@@ -16,9 +16,9 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.PatchOptions.IndexOption;
 import sunbeam.app.files.input.LightTable;
-import sunbeam.app.files.output.AtomicFile.StreamContent;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.FileGroup;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.SceneSettings;
@@ -26,7 +26,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
+import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.files.FileNames;
@@ -35,6 +35,7 @@ import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
@@ -122,7 +123,7 @@ public final class ColorCommand extends FileCommand {
                 angles.count() < 2 || Math.max(-angles.minimum(), angles.maximum()) + angles.step() / 2 >= HORIZON,
                 "--angles: give two angles or more that lie, with half a step, within -90 to 90 degrees");
         RefractiveIndex material = index.parse();
-        MethodSettings.FresnelFactor.requireFor(material, choices);
+        FresnelFactor.requireFor(material, choices);
         ToDoubleFunction<List<LinearPicture>> exposed = exposure.parse();
         Methods.of(choices);
         if (output != null) {

@@ -11,8 +11,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
-import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.Chromaticity;
@@ -154,7 +154,7 @@ record ColorReport(
     }
 
     /** Returns a row for each color; undefined values are empty. Angles have no unit in their names, dominant wavelengths are in nm. */
-    static AtomicFile.StreamContent csv(List<ColorReport> reports) {
+    static StreamContent csv(List<ColorReport> reports) {
         List<Map<String, Object>> rows = new ArrayList<>();
         for (ColorReport report : reports) {
             ViewColor brightest = Collections.max(report.colors, Comparator.comparingDouble(color -> color.xyz()[1]));
@@ -172,7 +172,7 @@ record ColorReport(
                 rows.add(cells);
             }
         }
-        return AtomicFile.StreamContent.of(CsvWriter.text(rows));
+        return StreamContent.of(CsvWriter.text(rows));
     }
 
     private static String cell(Object value) {

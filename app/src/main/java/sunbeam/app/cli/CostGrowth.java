@@ -23,7 +23,7 @@ import sunbeam.precompute.method.NmmMethod;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 import sunbeam.precompute.text.Text;

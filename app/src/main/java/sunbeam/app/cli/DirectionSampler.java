@@ -3,7 +3,7 @@ package sunbeam.app.cli;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
@@ -36,12 +36,12 @@ public final class DirectionSampler {
     }
 
     /** View uniform on the hemisphere, wavelength uniform in 380..780 nm. */
-    public Query uniform() {
-        return new Query(new DirectionPair(lights.get(), hemisphere()), wavelength());
+    public DirectionQuery uniform() {
+        return new DirectionQuery(new DirectionPair(lights.get(), hemisphere()), wavelength());
     }
 
     /** View near an order, normally distributed by its width: a third along x, along y, and anywhere; uniform if none is visible. */
-    public Query aimed() {
+    public DirectionQuery aimed() {
         int kind = random.nextInt(3);
         for (int i = 0; i < MOST_TRIES; i++) {
             Direction light = lights.get();
@@ -52,7 +52,7 @@ public final class DirectionSampler {
             double y = -light.y() - wavelength * (fy + sigmaFrequency * random.nextGaussian());
             Direction view = Direction.ofDisc(x, y);
             if (view.z() > LOWEST_COSINE) {
-                return new Query(new DirectionPair(light, view), wavelength);
+                return new DirectionQuery(new DirectionPair(light, view), wavelength);
             }
         }
         // A narrow patch under grazing light diffracts no order above the horizon.

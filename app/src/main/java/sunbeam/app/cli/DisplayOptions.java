@@ -7,17 +7,16 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.DisplayTransform.Primaries;
-import sunbeam.precompute.color.DisplayTransform.Tone;
+import sunbeam.precompute.color.Primaries;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.units.Decimals;
@@ -108,40 +107,6 @@ public final class DisplayOptions {
         /** Returns the connection to tev, which must run; empty without the option. */
         public Optional<TevClient> connect(PrintWriter err) {
             return asked ? Optional.of(TevClient.connect(TevClient.PORT, err)) : Optional.empty();
-        }
-    }
-
-    /** Width and height of a picture in pixels, 1 to 16384 each. */
-    public record PictureSize(int width, int height) {
-        private static final int LARGEST = 16_384;
-        /** Limit of pixels: 2 GiB of linear light at 16 bytes a pixel. */
-        private static final long MOST_PIXELS = 1L << 27;
-
-        public PictureSize {
-            boolean sides = width >= 1 && height >= 1 && width <= LARGEST && height <= LARGEST;
-            if (!sides || (long) width * height > MOST_PIXELS) {
-                throw new IllegalArgumentException(width + "x" + height + " is out of range; give sides of 1 to "
-                        + LARGEST + " and at most " + (MOST_PIXELS >> 20) + " million pixels");
-            }
-        }
-
-        @Override
-        public String toString() {
-            return width + "x" + height;
-        }
-
-        /** Parses {@code WIDTHxHEIGHT}, or the side of a square. */
-        public static PictureSize parse(String text) {
-            if (!text.strip().matches("\\d{1,6}([xX]\\d{1,6})?")) {
-                throw new TypeConversionException(
-                        "'" + text + "' is not a size; give WIDTHxHEIGHT as in 800x600, or one side of a square");
-            }
-            String[] sides = text.strip().split("[xX]", -1);
-            try {
-                return new PictureSize(Integer.parseInt(sides[0]), Integer.parseInt(sides[sides.length - 1]));
-            } catch (IllegalArgumentException outOfRange) {
-                throw new TypeConversionException(outOfRange.getMessage());
-            }
         }
     }
 }

@@ -16,8 +16,8 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.plot.Drawing;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.DirectionsRenderer;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.terminal.Environment;
@@ -44,7 +44,8 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.plan.MethodUse;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
@@ -204,7 +205,7 @@ public final class EvaluateCommand extends FileCommand {
 
     /** Evaluates by the shader that also draws BRDF maps, with a fragment for each direction and wavelength. */
     private static ResponseMatrix byShader(DiffractionSetup setup, MethodPlan plan, ResponseGrid grid) {
-        ShaderTables tables = setup.tables(plan, ShaderTables.MethodUse.SPECTRAL);
+        ShaderTables tables = setup.tables(plan, MethodUse.SPECTRAL);
         double[] wavelengths = grid.wavelengths();
         double[][] power = new double[wavelengths.length][];
         long count = (long) wavelengths.length * grid.angles().length;
@@ -214,8 +215,8 @@ public final class EvaluateCommand extends FileCommand {
                 Progress progress = setup.progress().start("Response", count)) {
             for (int row = 0; row < wavelengths.length; row++) {
                 double wavelength = wavelengths[row];
-                List<Query> queries = grid.pairs().stream()
-                        .map(pair -> new Query(pair, wavelength))
+                List<DirectionQuery> queries = grid.pairs().stream()
+                        .map(pair -> new DirectionQuery(pair, wavelength))
                         .toList();
                 power[row] = renderer.evaluate(queries, progress::step).stream()
                         .mapToDouble(values -> values[0])

@@ -13,8 +13,8 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
-import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.HeatMap.ColorMap;
@@ -185,7 +185,7 @@ record Evaluation(
     }
 
     /** Returns a row for each wavelength in nm and a column for each angle, whose heading is the angle in degrees. */
-    AtomicFile.StreamContent csv() {
+    StreamContent csv() {
         ResponseGrid grid = response.grid();
         List<String> header = new ArrayList<>(List.of("wavelength_nm"));
         Arrays.stream(grid.angles()).forEach(angle -> header.add(Text.format("%.6f", Math.toDegrees(angle))));

@@ -21,7 +21,7 @@ import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.analysis.WaveLimit;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.prepare.ScanFaults.ScanFault;
+import sunbeam.precompute.prepare.ScanFault;
 
 /** Option {@code --json}, which prints the report as JSON in place of text; a picocli mixin. */
 public final class JsonOption {

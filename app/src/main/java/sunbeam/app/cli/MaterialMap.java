@@ -50,7 +50,8 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.plan.MethodUse;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -221,7 +222,7 @@ final class MaterialMap {
         for (int i = 0; i < parts.size(); i++) {
             Part part = parts.get(i);
             String label = "BRDF map" + (parts.size() > 1 ? " " + (i + 1) + " of " + parts.size() : "");
-            ShaderTables made = setup.tables(part.plan, ShaderTables.MethodUse.COLOR);
+            ShaderTables made = setup.tables(part.plan, MethodUse.COLOR);
             trials.add(made.trial());
             try (UploadedTables tables = UploadedTables.upload(context, made);
                     BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, choices.get(ROTATE_PATCH));

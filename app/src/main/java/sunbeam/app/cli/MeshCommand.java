@@ -24,7 +24,7 @@ import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.MeshWriters;
 import sunbeam.app.scene.mesh.SkinMaps;
 import sunbeam.app.scene.texture.Body;
-import sunbeam.app.scene.texture.Body.Scales;
+import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.precompute.files.FileNames;

@@ -13,8 +13,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.BrdfMapRenderer;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.DirectionsRenderer;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.precompute.errors.Comparison;
@@ -24,6 +24,7 @@ import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.plan.MethodUse;
 import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.SpectrumPlan;
@@ -88,7 +89,7 @@ record Meter(RenderContext context, int size, Direction light) {
     Measurement measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
         long start = System.nanoTime();
         MethodPlan plan = method.plan(setup.surface().withStatistics(Roughness.Cache.NONE), VisibleRange.of(light));
-        ShaderTables tables = setup.freshTables(plan, ShaderTables.MethodUse.COLOR);
+        ShaderTables tables = setup.freshTables(plan, MethodUse.COLOR);
         try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
             context.finish();
             double making = (System.nanoTime() - start) * 1e-9;
@@ -147,7 +148,7 @@ record Meter(RenderContext context, int size, Direction light) {
         private static final int BATCH = 32;
         private static final long SEED = 3;
 
-        record View(Query query, double[] xyz) {}
+        record View(DirectionQuery query, double[] xyz) {}
 
         ExactViews(DiffractionSetup setup, Direction light, int count) {
             this(setup, light, count, new HashMap<>());
@@ -157,7 +158,7 @@ record Meter(RenderContext context, int size, Direction light) {
         List<Comparison> compare(RenderContext context, Method method, UploadedTables drawn) {
             List<View> exact =
                     views.computeIfAbsent(method.referenceMethod(setup.patch().heights()), known -> draw(method));
-            List<Query> queries = exact.stream().map(View::query).toList();
+            List<DirectionQuery> queries = exact.stream().map(View::query).toList();
             try (DirectionsRenderer renderer = new DirectionsRenderer(context, drawn, false)) {
                 List<float[]> results = renderer.evaluate(queries, done -> {});
                 return IntStream.range(0, exact.size())
@@ -187,7 +188,8 @@ record Meter(RenderContext context, int size, Direction light) {
         }
 
         /** Returns the first {@code wanted} views that are bright enough; the number of processors does not change them. */
-        private static List<View> bright(Supplier<Query> queries, int wanted, ExactLight exact, Progress progress) {
+        private static List<View> bright(
+                Supplier<DirectionQuery> queries, int wanted, ExactLight exact, Progress progress) {
             List<View> found = new ArrayList<>();
             for (long tried = 0; found.size() < wanted && tried < (long) wanted * MOST_TRIES_PER_VIEW; ) {
                 // No larger than the number of missing views: on a scan each view is bright and takes seconds.

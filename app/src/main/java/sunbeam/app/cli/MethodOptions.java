@@ -13,6 +13,7 @@ import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -51,7 +52,7 @@ public final class MethodOptions extends SettingOptions {
 
     /** Returns the choices with the ensemble average if none is chosen and the method has it: a single coherence area shows speckle. */
     public static Choices averaged(Choices chosen) {
-        boolean open = !chosen.has(MethodSettings.AVERAGE) && !MethodSettings.Preset.isThesis(chosen);
+        boolean open = !chosen.has(MethodSettings.AVERAGE) && !Preset.isThesis(chosen);
         return open && chosen.get(Methods.METHOD).has(MethodSettings.AVERAGE)
                 ? chosen.with(MethodSettings.AVERAGE, Average.ENSEMBLE)
                 : chosen;

@@ -9,17 +9,18 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
-import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.OrderLattice;
+import sunbeam.precompute.analysis.OrderLattice.Order;
 import sunbeam.precompute.analysis.OrderLight;
-import sunbeam.precompute.analysis.OrderLight.OrderLattice;
-import sunbeam.precompute.analysis.OrderLight.OrderLattice.Order;
 import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;
@@ -208,11 +209,11 @@ record OrderTable(
     }
 
     private static String srgb(double... xyz) {
-        return Text.format("#%06x", new DisplayTransform(LUMINANCE / xyz[1], DisplayTransform.Tone.COMPRESS).rgb(xyz));
+        return Text.format("#%06x", new DisplayTransform(LUMINANCE / xyz[1], Tone.COMPRESS).rgb(xyz));
     }
 
     /** Returns one row for each order, wavelength and angle of incidence; its directions are columns of {@code reflectance}. */
-    AtomicFile.StreamContent csv() {
+    StreamContent csv() {
         List<double[]> rows = incidences.stream()
                 .flatMap(incidence -> incidence.orders.stream()
                         .flatMap(series -> series.seen.stream().map(seen -> row(incidence.theta, series.order, seen))))

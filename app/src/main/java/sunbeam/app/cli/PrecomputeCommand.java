@@ -34,7 +34,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.BandTransform2d;
-import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
+import sunbeam.precompute.spectrum.ComplexVector;
 import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.text.Text;
 

@@ -21,8 +21,9 @@ import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.StreamContent;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.DirectionsRenderer;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.scene.SceneSettings;
@@ -45,8 +46,8 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.plan.MethodUse;
 import sunbeam.precompute.plan.ShaderTables;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
@@ -192,7 +193,7 @@ public final class ReflectanceCommand extends FileCommand {
         }
         List<String> header = new ArrayList<>(list.columns());
         header.addAll(columns.keySet());
-        AtomicFile.StreamContent table = CsvWriter.numbers(header, list.size(), row -> {
+        StreamContent table = CsvWriter.numbers(header, list.size(), row -> {
             DoubleStream added = columns.values().stream().mapToDouble(column -> results.get(row)[column]);
             return DoubleStream.concat(Arrays.stream(list.row(row)), added).toArray();
         });
@@ -205,8 +206,8 @@ public final class ReflectanceCommand extends FileCommand {
         private static final int BRDF = 3;
 
         List<double[]> evaluate(ShaderTables tables) {
-            List<Query> queries = IntStream.range(0, list.size())
-                    .mapToObj(row -> new Query(list.pair(row), list.spectral() ? list.wavelength(row) : 0))
+            List<DirectionQuery> queries = IntStream.range(0, list.size())
+                    .mapToObj(row -> new DirectionQuery(list.pair(row), list.spectral() ? list.wavelength(row) : 0))
                     .toList();
             try (RenderContext context = RenderContext.offscreen();
                     UploadedTables method = UploadedTables.upload(context, tables);

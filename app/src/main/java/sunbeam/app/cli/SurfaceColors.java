@@ -7,14 +7,14 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.cli.ColorReport.ViewColor;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.DirectionsRenderer;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
+import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.analysis.Verdict;
@@ -32,7 +32,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
+import sunbeam.precompute.plan.MethodUse;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
@@ -137,9 +137,9 @@ final class SurfaceColors {
     }
 
     void draw(RenderContext context) {
-        List<Query> queries = views.stream()
+        List<DirectionQuery> queries = views.stream()
                 .flatMap(view -> view.pairs().stream())
-                .map(pair -> new Query(pair, 0))
+                .map(pair -> new DirectionQuery(pair, 0))
                 .toList();
         for (Part part : parts) {
             List<float[]> powers = evaluate(context, part.plan, MethodUse.COLOR, queries);
@@ -152,7 +152,8 @@ final class SurfaceColors {
         }
     }
 
-    private List<float[]> evaluate(RenderContext context, MethodPlan plan, MethodUse use, List<Query> queries) {
+    private List<float[]> evaluate(
+            RenderContext context, MethodPlan plan, MethodUse use, List<DirectionQuery> queries) {
         // Progress of several surfaces appears on one line of the terminal, so it names the surface.
         String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ") + patch().name();
         try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plan, use));
@@ -239,9 +240,9 @@ final class SurfaceColors {
 
     private ColorReport.Spectrum spectrum(RenderContext context, ViewColor.View view) {
         double[] wavelengths = ColorReport.Spectrum.fineWavelengths();
-        List<Query> queries = Arrays.stream(wavelengths)
+        List<DirectionQuery> queries = Arrays.stream(wavelengths)
                 .boxed()
-                .flatMap(wavelength -> view.pairs().stream().map(pair -> new Query(pair, wavelength)))
+                .flatMap(wavelength -> view.pairs().stream().map(pair -> new DirectionQuery(pair, wavelength)))
                 .toList();
         Gain gain = ReflectionPart.gain(index, setup.cie(), method.fresnel().exponent());
         int column = setup.exact(method).ensemble() ? 1 : 0;

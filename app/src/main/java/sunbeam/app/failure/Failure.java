@@ -11,7 +11,7 @@ import sunbeam.app.terminal.ShutdownHook.CancelledException;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.scan.ScanException;
-import sunbeam.precompute.setting.Choices.Origin;
+import sunbeam.precompute.setting.ChoiceOrigin;
 import sunbeam.precompute.setting.Excess;
 import sunbeam.precompute.setting.SettingException;
 
@@ -43,7 +43,7 @@ public record Failure(ExitCode code, String message, Throwable cause) {
     }
 
     private static ExitCode codeOf(SettingException choice) {
-        ExitCode wrong = choice.place() == Origin.Place.FILE ? ExitCode.UNUSABLE_INPUT : ExitCode.USAGE;
+        ExitCode wrong = choice.place() == ChoiceOrigin.Place.FILE ? ExitCode.UNUSABLE_INPUT : ExitCode.USAGE;
         return choice.excess()
                 .map(excess -> excess.isOfMemory() ? ExitCode.TOO_LITTLE_MEMORY : ExitCode.DRIVER_LIMIT)
                 .orElse(wrong);

@@ -37,11 +37,8 @@ public record DirectionsRenderer(RenderContext context, UploadedTables method, b
         return new DirectionsRenderer(context, method, true, method.program("directions.frag", defines));
     }
 
-    /** Directions and wavelength in meters, which is ignored where colors are evaluated. */
-    public record Query(DirectionPair pair, double wavelength) {}
-
     /** Returns coherent and ensemble power per query, or X, Y, Z of power and gain; {@code progress} gets batch sizes. */
-    public List<float[]> evaluate(List<Query> queries, LongConsumer progress) {
+    public List<float[]> evaluate(List<DirectionQuery> queries, LongConsumer progress) {
         List<float[]> results = new ArrayList<>(queries.size());
         try (FloatTexture texture = context.createFloatTexture(
                         "directions", FloatTexture.Spec.flat(BATCH, ROWS, FloatTexture.Format.RGBA32F));
@@ -49,7 +46,7 @@ public record DirectionsRenderer(RenderContext context, UploadedTables method, b
             Map<String, Texture> textures = new HashMap<>(method.textures());
             textures.put("directions", texture);
             for (int start = 0; start < queries.size(); start += BATCH) {
-                List<Query> batch = queries.subList(start, Math.min(queries.size(), start + BATCH));
+                List<DirectionQuery> batch = queries.subList(start, Math.min(queries.size(), start + BATCH));
                 texture.upload(texels(batch));
                 context.drawFullScreen(program, textures, target, new Tile(0, 0, batch.size(), 1));
                 float[] rgba = UploadedTables.requireWholeSums(target.read(0, new Tile(0, 0, batch.size(), 1)));
@@ -62,7 +59,7 @@ public record DirectionsRenderer(RenderContext context, UploadedTables method, b
         return results;
     }
 
-    private float[] texels(List<Query> batch) {
+    private float[] texels(List<DirectionQuery> batch) {
         float[] texels = new float[4 * ROWS * BATCH];
         for (int i = 0; i < batch.size(); i++) {
             DirectionPair pair = batch.get(i).pair();

@@ -15,8 +15,6 @@ import org.joml.Matrix4fc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
-import sunbeam.app.render.DrawRequest.SceneBlocks;
-import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.SkinSurface.CachedTarget;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;

@@ -12,8 +12,6 @@ import jrtr.scene.Light;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
-import sunbeam.app.render.DrawRequest.SceneBlocks;
-import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 
 /** Runs the shading pass (shaders/skin.frag) only for pixels that show skin, packed into a compact target (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {

@@ -17,7 +17,6 @@ import java.util.stream.Stream;
 import jrtr.Tile;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.render.DrawRequest.SceneBlocks;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;

@@ -15,7 +15,6 @@ import jrtr.scene.Light;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
-import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.PackedShading.Part;
 import sunbeam.app.render.SceneData.ReflectanceComponent;
 import sunbeam.app.scene.Scene;

@@ -28,19 +28,18 @@ import jrtr.scene.View;
 import org.joml.Vector3f;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.render.GeometryBuffer.Layout;
-import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.SceneShape.Thing;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.mesh.SnakeBody;
 import sunbeam.app.scene.texture.Body;
-import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;
+import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.optics.Direction;
 
 /** A scene without its diffraction in graphics memory: meshes, textures, and what is drawn of them. A scene's sessions share it. */

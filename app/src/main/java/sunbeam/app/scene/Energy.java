@@ -1,15 +1,15 @@
 package sunbeam.app.scene;
 
 import java.util.Optional;
+import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.EnergyDivisor;
-import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 

@@ -4,7 +4,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import sunbeam.app.scene.texture.Body;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
+import sunbeam.precompute.patch.PatchRequest;
 
 /**
  * Nanostructures of a mesh, and a map of the areas that they cover.

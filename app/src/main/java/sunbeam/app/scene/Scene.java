@@ -9,21 +9,19 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import jrtr.scene.Light;
-import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
-import sunbeam.app.scene.SceneObject.Placement;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.DisplayTransform.Primaries;
-import sunbeam.precompute.color.DisplayTransform.Tone;
+import sunbeam.precompute.color.Primaries;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
+import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
@@ -350,22 +348,6 @@ public record Scene(
 
     public BodyAlpha bodyAlpha() {
         return settings.get(SceneSettings.BODY_ALPHA, method.isThesis() ? BodyAlpha.FRESNEL : BodyAlpha.LIGHT);
-    }
-
-    /** Camera (meters, world space) and field of view, radians, of pictures of 4:3 or wider; narrower ones have the width of 4:3. */
-    public record Viewpoint(Camera camera, double verticalFieldOfView) {
-        /** Width over height below which a picture shows more above and below. */
-        public static final double LEAST_ASPECT = 4.0 / 3;
-
-        /** Radians; single precision does not resolve less. */
-        public static final double NARROWEST = Math.toRadians(0.001);
-
-        /** Radians; wider pictures are mostly distortion. */
-        public static final double WIDEST = Math.toRadians(170);
-
-        public double halfHeight(int width, int height) {
-            return Math.tan(verticalFieldOfView / 2) * Math.max(1, LEAST_ASPECT * height / width);
-        }
     }
 
     /** Motion of an animated scene about the vertical (z), counterclockwise from above. */

@@ -1,22 +1,18 @@
 package sunbeam.app.scene;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
-import sunbeam.app.files.input.IndexFile;
-import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.environment.LightTree;
 import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Body;
-import sunbeam.app.scene.texture.Body.Scales;
-import sunbeam.precompute.color.DisplayTransform.Primaries;
-import sunbeam.precompute.color.DisplayTransform.Tone;
-import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.app.scene.texture.Scales;
+import sunbeam.precompute.color.Primaries;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
@@ -353,39 +349,5 @@ public final class SceneSettings {
         FRESNEL,
         /** The unlit texture is added where |F| / |F(0)| > 1: everywhere but in the mirror direction (thesis algorithm 3.4). */
         DRAFT
-    }
-
-    /** Refractive index of a skin: a constant, or the absolute name of a file with values by wavelength. */
-    public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
-        static final SkinIndex KERATIN = of(RefractiveIndex.KERATIN);
-
-        public static SkinIndex of(RefractiveIndex constant) {
-            return new SkinIndex(Optional.of(constant), "");
-        }
-
-        public static SkinIndex of(String file) {
-            return new SkinIndex(Optional.empty(), file);
-        }
-
-        static SkinIndex parse(String text) {
-            try {
-                return IndexFile.isName(text) ? of(text.strip()) : of(RefractiveIndex.parse(text));
-            } catch (IllegalArgumentException wrong) {
-                throw new IllegalArgumentException(Text.quoted(text) + ": " + wrong.getMessage(), wrong);
-            }
-        }
-
-        /** Returns the constant, or reads the file. */
-        public RefractiveIndex values() {
-            return constant.orElseGet(() -> IndexFile.read(Path.of(file)));
-        }
-
-        String format() {
-            return constant.map(RefractiveIndex::describe).orElse(file);
-        }
-
-        public boolean isByWavelength() {
-            return constant.isEmpty();
-        }
     }
 }

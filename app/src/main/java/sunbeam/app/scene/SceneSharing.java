@@ -2,7 +2,6 @@ package sunbeam.app.scene;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.precompute.setting.Choices;
 
 /** Compares scenes by the data that they need in memory: meshes, textures and tables of their objects. */

@@ -17,10 +17,8 @@ import org.joml.Vector3fc;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.scene.Scene.Viewpoint;
-import sunbeam.app.scene.SceneObject.Placement;
-import sunbeam.app.scene.SceneSettings.SkinIndex;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
+import sunbeam.app.files.output.StreamContent;
+import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.JsonObject;
@@ -47,7 +45,7 @@ public final class SceneWriter {
     public static void write(Path target, Overwrite overwrite, Scene scene) {
         Path folder = target.toAbsolutePath().normalize().getParent();
         String text = text(scene, scene.method().chosen(), name -> relative(folder, name)) + "\n";
-        AtomicFile.write(target, overwrite, AtomicFile.StreamContent.of(text));
+        AtomicFile.write(target, overwrite, StreamContent.of(text));
     }
 
     /** Returns JSON with absolute file names; equal for equal scenes. */

@@ -1,10 +1,10 @@
 package sunbeam.app.terminal;
 
-import sunbeam.precompute.setting.Choices.Origin;
+import sunbeam.precompute.setting.ChoiceOrigin;
 import sunbeam.precompute.setting.Setting;
 
-/** Origin of choices made on the command line: the setting {@code coherenceLength} is the option {@code --coherence-length}. */
-public enum OptionOrigin implements Origin {
+/** ChoiceOrigin of choices made on the command line: the setting {@code coherenceLength} is the option {@code --coherence-length}. */
+public enum OptionOrigin implements ChoiceOrigin {
     INSTANCE,
     ARGUMENT;
 
@@ -22,6 +22,6 @@ public enum OptionOrigin implements Origin {
     public String complaint(Setting<?> setting, String value, String problem) {
         return this == ARGUMENT && !value.isEmpty()
                 ? value + " " + problem
-                : Origin.super.complaint(setting, value, problem);
+                : ChoiceOrigin.super.complaint(setting, value, problem);
     }
 }

@@ -17,7 +17,6 @@ import javax.swing.KeyStroke;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scene.Motion;
 import sunbeam.app.viewer.FileActions.Kind;
-import sunbeam.app.viewer.ScenePresenter.Overlay;
 import sunbeam.app.viewer.model.Drags;
 
 /** Key actions, from which menus, key bindings and help derive; ActionsTest compares docs/viewer.md with them. */

@@ -30,12 +30,12 @@ import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
+import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.ChoiceOrigin;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
@@ -270,8 +270,8 @@ public final class ControlPanel extends JTabbedPane {
         });
     }
 
-    /** Origin of choices made by the window's controls; names a setting by its control's caption. */
-    public enum ControlOrigin implements Origin {
+    /** ChoiceOrigin of choices made by the window's controls; names a setting by its control's caption. */
+    public enum ControlOrigin implements ChoiceOrigin {
         INSTANCE;
 
         // Captions of settings whose key, split into words, would be too long or too vague.

@@ -30,6 +30,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.render.FrameText;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.scene.Scene;
@@ -41,11 +42,11 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ControlPanel.ControlOrigin;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
-import sunbeam.app.viewer.loop.Stage.ViewState;
+import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.precompute.patch.PatchLoader;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
+import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -320,7 +321,7 @@ public final class FileActions {
             OutputFolder.createWithParents(list.getParent());
             String lines = String.join(
                     "\n", files.stream().limit(MOST).map(Path::toString).toList());
-            AtomicFile.write(list, Overwrite.REPLACE, AtomicFile.StreamContent.of(lines));
+            AtomicFile.write(list, Overwrite.REPLACE, StreamContent.of(lines));
         }
     }
 }

@@ -23,7 +23,6 @@ import javax.swing.Timer;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
-import sunbeam.app.viewer.ScenePresenter.Overlay;
 
 /**
  * Viewer for an exhibition: full screen, without menu and panel; touch buttons beside the picture, a caption in large type below it. After

@@ -11,7 +11,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import javax.swing.Timer;
 import org.joml.Vector3f;
-import sunbeam.app.render.LineDrawings.LightCone;
+import sunbeam.app.render.LightCone;
 
 /** Handle of the light on the picture: a small sun on an arc, where the light's cone opens. It fades while nothing is touched. */
 public final class LightHandle {

@@ -14,7 +14,7 @@ import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import org.joml.Vector3f;
-import sunbeam.app.render.LineDrawings.LightCone;
+import sunbeam.app.render.LightCone;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.Action.Group;
 import sunbeam.app.viewer.Action.Help;

@@ -18,7 +18,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingConstants;
-import sunbeam.app.render.LineDrawings.LightCone;
+import sunbeam.app.render.LightCone;
 
 /** Component that shows the newest picture, or the reason for having none. */
 public final class PictureView extends JComponent {

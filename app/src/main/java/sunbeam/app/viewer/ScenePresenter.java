@@ -8,14 +8,14 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import javax.swing.SwingUtilities;
 import jrtr.GraphicsException;
-import sunbeam.app.render.LineDrawings.LightCone;
+import sunbeam.app.render.LightCone;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
-import sunbeam.app.viewer.loop.Stage.ViewState;
+import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.patch.Patch;
@@ -23,11 +23,6 @@ import sunbeam.precompute.patch.Patch;
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
 @SuppressWarnings("ReferenceEquality") // compares requests and parts by identity
 public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Listener {
-    public enum Overlay {
-        CONE,
-        STROKES,
-        MAP
-    }
 
     private final Viewer viewer;
     private final ViewerModel model;

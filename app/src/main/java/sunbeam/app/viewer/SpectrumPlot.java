@@ -20,7 +20,7 @@ import java.util.stream.IntStream;
 import javax.swing.JComponent;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.DisplayTransform.Tone;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.text.Text;
 
 /** Plot of power over wavelength, 380 to 780 nm, in the colors of the wavelengths, with a readout under the mouse. */

@@ -8,10 +8,10 @@ import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.viewer.ControlPanel.ControlOrigin;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
-import sunbeam.app.viewer.loop.Stage.ViewState;
+import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
-import sunbeam.precompute.color.DisplayTransform.Primaries;
+import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 

@@ -17,7 +17,7 @@ import java.util.concurrent.CountDownLatch;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import sunbeam.app.gpu.picture.PictureDifference;
-import sunbeam.app.viewer.loop.Stage.ViewState;
+import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 

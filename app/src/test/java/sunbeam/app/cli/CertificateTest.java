@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.cli.Certificate.Limits;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
@@ -215,7 +215,7 @@ final class CertificateTest {
         DirectionSampler sampler = new DirectionSampler(new HeightMap(4, 2, 0.625e-6, 1e-6, new double[8]), WINDOW, 3);
         double sigma = WINDOW.sigmaFrequency();
         for (int i = 0; i < 300; i++) {
-            Query query = sampler.aimed();
+            DirectionQuery query = sampler.aimed();
             DirectionPair pair = query.pair();
             double fx = pair.u() / query.wavelength();
             double fy = pair.v() / query.wavelength();
@@ -232,7 +232,7 @@ final class CertificateTest {
         HeightMap narrow = new HeightMap(2, 2, 50e-9, 50e-9, new double[4]);
         DirectionSampler sampler = new DirectionSampler(narrow, WINDOW, 5, Optional.of(grazing));
         for (int i = 0; i < 20; i++) {
-            for (Query query : List.of(sampler.uniform(), sampler.aimed())) {
+            for (DirectionQuery query : List.of(sampler.uniform(), sampler.aimed())) {
                 assertThat(query.pair().wi()).isEqualTo(grazing);
                 assertThat(query.pair().wr().z()).isPositive();
             }

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.analysis.EnergyDivisor;
@@ -29,8 +29,8 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.plan.MethodUse;
 import sunbeam.precompute.plan.ShaderTables;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.VisibleRange;
 
 /** {@code --energy conserve} on tracks of a DVD: 740 nm wide, 120 nm deep. */
@@ -114,9 +114,9 @@ class EnergyTest extends CommandLineFixture {
         ShaderTables tables = divisor.applyTo(
                 probe.setup().tables(plan, MethodUse.COLOR), probe.setup().cie());
         Direction viewer = Direction.ofDegrees(20, 40);
-        List<Query> queries = IntStream.range(0, 16)
+        List<DirectionQuery> queries = IntStream.range(0, 16)
                 .mapToObj(i -> Direction.ofDegrees(5 * i, 55.0 * i))
-                .map(light -> new Query(new DirectionPair(light, viewer), 0))
+                .map(light -> new DirectionQuery(new DirectionPair(light, viewer), 0))
                 .toList();
         List<float[]> results = MethodProbe.evaluate(queries, tables, false);
         double most = 1;

@@ -13,8 +13,8 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.BrdfMapRenderer;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.DirectionsRenderer;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -23,8 +23,8 @@ import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.MethodUse;
 import sunbeam.precompute.plan.ShaderTables;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 
@@ -66,28 +66,29 @@ final class MethodProbe {
     }
 
     List<float[]> colors(List<DirectionPair> pairs, String options) {
-        return evaluate(pairs.stream().map(pair -> new Query(pair, 0)), MethodUse.COLOR, options);
+        return evaluate(pairs.stream().map(pair -> new DirectionQuery(pair, 0)), MethodUse.COLOR, options);
     }
 
     /** Returns coherent power and ensemble power at one wavelength in meters. */
     List<float[]> powers(List<DirectionPair> pairs, double wavelength, String options) {
-        return evaluate(pairs.stream().map(pair -> new Query(pair, wavelength)), MethodUse.SPECTRAL, options);
+        return evaluate(pairs.stream().map(pair -> new DirectionQuery(pair, wavelength)), MethodUse.SPECTRAL, options);
     }
 
     /** Returns the same values for one pair at each whole nanometer from 380 to 780. */
     List<float[]> spectrum(DirectionPair pair, String options) {
         IntStream nanometers = IntStream.rangeClosed(380, 780);
-        return evaluate(nanometers.mapToObj(nm -> new Query(pair, nm * 1e-9)), MethodUse.SPECTRAL, options);
+        return evaluate(nanometers.mapToObj(nm -> new DirectionQuery(pair, nm * 1e-9)), MethodUse.SPECTRAL, options);
     }
 
-    private List<float[]> evaluate(Stream<Query> stream, MethodUse use, String options) {
-        List<Query> queries = stream.toList();
-        List<DirectionPair> pairs = queries.stream().map(Query::pair).distinct().toList();
+    private List<float[]> evaluate(Stream<DirectionQuery> stream, MethodUse use, String options) {
+        List<DirectionQuery> queries = stream.toList();
+        List<DirectionPair> pairs =
+                queries.stream().map(DirectionQuery::pair).distinct().toList();
         ShaderTables tables = setup.tables(plan(VisibleRange.of(pairs), options), use);
         return evaluate(queries, tables, use == MethodUse.SPECTRAL);
     }
 
-    static List<float[]> evaluate(List<Query> queries, ShaderTables tables, boolean isSpectral) {
+    static List<float[]> evaluate(List<DirectionQuery> queries, ShaderTables tables, boolean isSpectral) {
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, isSpectral)) {

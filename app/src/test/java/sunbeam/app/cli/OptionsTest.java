@@ -22,13 +22,13 @@ import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.ErrorBudget;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.ChoiceOrigin;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 
@@ -95,7 +95,7 @@ class OptionsTest extends CommandLineFixture {
         assertThatThrownBy(() -> method(options))
                 .isInstanceOfSatisfying(
                         SettingException.class,
-                        failure -> assertThat(failure.place()).isEqualTo(Origin.Place.OPTION))
+                        failure -> assertThat(failure.place()).isEqualTo(ChoiceOrigin.Place.OPTION))
                 .hasMessageContaining(words);
     }
 

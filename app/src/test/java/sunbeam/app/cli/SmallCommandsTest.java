@@ -30,8 +30,8 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.ShaderTablesFile;
-import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.plan.TableArray;
+import sunbeam.precompute.plan.TableLabel;
 
 /** Commands about the cache, the machine, its speed, and meshes. */
 final class SmallCommandsTest extends CommandLineFixture {

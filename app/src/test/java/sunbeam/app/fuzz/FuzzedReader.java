@@ -26,18 +26,18 @@ import sunbeam.app.scene.mesh.MeshFiles;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchLoader.HeightCache;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
+import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.ShaderTablesFile;
-import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.plan.TableArray;
+import sunbeam.precompute.plan.TableLabel;
 import sunbeam.precompute.setting.Choices;
 
 /** Everything of Sunbeam's that reads a file which may have come from anywhere. */

@@ -6,21 +6,21 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.DirectionsRenderer;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
+import sunbeam.precompute.plan.MethodUse;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -41,7 +41,7 @@ record RandomCase(
         double tolerance,
         String aim,
         boolean colors,
-        List<Query> queries) {
+        List<DirectionQuery> queries) {
     private static final double[] TOLERANCES = {1e-2, 1e-3, 1e-4};
     private static final int POWERS = 60;
     private static final int COLORS = 12;
@@ -76,11 +76,11 @@ record RandomCase(
                 oneOf(random, WindowOrigin.values()),
                 oneOf(random, Average.values()));
         double tolerance = TOLERANCES[random.nextInt(TOLERANCES.length)];
-        List<Query> queries = new ArrayList<>();
+        List<DirectionQuery> queries = new ArrayList<>();
         for (int i = 0; i < (colors ? COLORS : POWERS); i++) {
             double wavelength = Aim.wavelength(random);
             DirectionPair pair = aim.draw(random, map, wavelength, area.window().sigmaFrequency());
-            queries.add(new Query(pair, wavelength));
+            queries.add(new DirectionQuery(pair, wavelength));
         }
         return new RandomCase(seed, words(kind), map, area, tolerance, words(aim), colors, queries);
     }
@@ -123,7 +123,8 @@ record RandomCase(
     }
 
     SpectrumPlan plan() {
-        VisibleRange range = VisibleRange.of(queries.stream().map(Query::pair).toList());
+        VisibleRange range =
+                VisibleRange.of(queries.stream().map(DirectionQuery::pair).toList());
         return surface().planner().plan(TableChoices.within(tolerance), area, range);
     }
 

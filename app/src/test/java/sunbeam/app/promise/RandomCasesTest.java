@@ -17,15 +17,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Neighborhood;
@@ -72,13 +72,13 @@ class RandomCasesTest extends InAContext {
                 COLUMNS, COLUMNS, PITCH, PITCH, (x, y) -> Math.hypot(x - 0.5, y - 0.5) < radius ? 200e-9 : 0);
     }
 
-    private static List<Query> queries(HeightMap map, int ofEachAim) {
+    private static List<DirectionQuery> queries(HeightMap map, int ofEachAim) {
         SplittableRandom random = new SplittableRandom(1);
-        List<Query> queries = new ArrayList<>();
+        List<DirectionQuery> queries = new ArrayList<>();
         for (RandomCase.Aim aim : RandomCase.Aim.values()) {
             for (int i = 0; i < ofEachAim; i++) {
                 double wavelength = RandomCase.Aim.wavelength(random);
-                queries.add(new Query(aim.draw(random, map, wavelength, DUSTY.sigmaFrequency()), wavelength));
+                queries.add(new DirectionQuery(aim.draw(random, map, wavelength, DUSTY.sigmaFrequency()), wavelength));
             }
         }
         return queries;
@@ -93,7 +93,7 @@ class RandomCasesTest extends InAContext {
     void theToleranceIsKeptOfAMirrorWithDust(Average average, boolean colors) {
         HeightMap map = dust();
         // Exact colors are sums over the patch at hundreds of wavelengths.
-        List<Query> queries = queries(map, colors ? 2 : 10);
+        List<DirectionQuery> queries = queries(map, colors ? 2 : 10);
         GaussianArea area = new GaussianArea(DUSTY, WindowOrigin.CENTRE, average);
         RandomCase made = new RandomCase(0, "dust", map, area, 1e-2, "all aims", colors, queries);
         double[][] exact = made.exact();
@@ -141,8 +141,8 @@ class RandomCasesTest extends InAContext {
                     (x, y) -> (x * WIDTH / PERIOD % 1 < 0.5 ? depth : 0) + roughness * random.nextGaussian());
         }
 
-        private List<Query> queries() {
-            List<Query> queries = new ArrayList<>();
+        private List<DirectionQuery> queries() {
+            List<DirectionQuery> queries = new ArrayList<>();
             SplittableRandom random = new SplittableRandom(26);
             for (int i = 0; i < 12; i++) {
                 // One to five deviations aside, the light up to 30 degrees from the normal.
@@ -158,8 +158,9 @@ class RandomCasesTest extends InAContext {
             return queries;
         }
 
-        private static Query seen(Direction light, double u, double v) {
-            return new Query(new DirectionPair(light, Direction.ofDisc(u - light.x(), v - light.y())), WAVELENGTH);
+        private static DirectionQuery seen(Direction light, double u, double v) {
+            return new DirectionQuery(
+                    new DirectionPair(light, Direction.ofDisc(u - light.x(), v - light.y())), WAVELENGTH);
         }
     }
 
@@ -188,13 +189,13 @@ class RandomCasesTest extends InAContext {
             50e-9,
             new SplittableRandom(51).doubles(64 * 64, 0, 400e-9).toArray());
 
-    private static RandomCase roughCase(CoherenceWindow window, boolean colors, List<Query> queries) {
+    private static RandomCase roughCase(CoherenceWindow window, boolean colors, List<DirectionQuery> queries) {
         GaussianArea area = new GaussianArea(window, WindowOrigin.CENTRE, Average.COHERENT);
         return new RandomCase(51, "roughCase", ROUGH, area, TOLERANCE, "given", colors, queries);
     }
 
-    private static Query query(Direction light, Direction view, double wavelength) {
-        return new Query(new DirectionPair(light, view), wavelength);
+    private static DirectionQuery query(Direction light, Direction view, double wavelength) {
+        return new DirectionQuery(new DirectionPair(light, view), wavelength);
     }
 
     private static void assertErrorsKept(RandomCase made, double tolerance) {
@@ -207,14 +208,14 @@ class RandomCasesTest extends InAContext {
     @ParameterizedTest
     @CsvSource({"3e-6, false", "3e-6, true", "10e-6, false", "10e-6, true", "65e-6, false", "65e-6, true"})
     void exactlySpecular(double coherenceLength, boolean colors) {
-        List<Query> queries = IntStream.rangeClosed(0, 17)
+        List<DirectionQuery> queries = IntStream.rangeClosed(0, 17)
                 .mapToObj(i -> query(Direction.ofDegrees(5 * i, 30), Direction.ofDegrees(5 * i, 210), 500e-9))
                 .toList();
         assertErrorsKept(roughCase(CoherenceWindow.ofCoherenceLength(coherenceLength), colors, queries), TOLERANCE);
     }
 
     /** Asserts the shaders' gain of each query. */
-    private static void assertGains(List<Query> queries, double tolerance) {
+    private static void assertGains(List<DirectionQuery> queries, double tolerance) {
         RandomCase made = roughCase(SHORT, true, queries);
         List<float[]> computed = made.evaluate(context, made.plan());
         for (int i = 0; i < queries.size(); i++) {
@@ -228,7 +229,7 @@ class RandomCasesTest extends InAContext {
     /** Light and view that nearly cancel: factors of 1 + wi . wr lost all digits but one at 89.9 degrees. */
     @Test
     void grazingMirrorsHaveTheirRadianceToo() {
-        List<Query> queries = IntStream.of(8950, 8990, 8999)
+        List<DirectionQuery> queries = IntStream.of(8950, 8990, 8999)
                 .mapToObj(hundredths -> hundredths / 100.0)
                 .map(theta -> query(Direction.ofDegrees(theta, 20), Direction.ofDegrees(theta, 200.01), 500e-9))
                 .toList();
@@ -238,8 +239,8 @@ class RandomCasesTest extends InAContext {
 
     @Test
     void grazingLightAndViewStayFinite() {
-        List<Query> bothGraze = new ArrayList<>();
-        List<Query> oneGrazes = new ArrayList<>();
+        List<DirectionQuery> bothGraze = new ArrayList<>();
+        List<DirectionQuery> oneGrazes = new ArrayList<>();
         for (double phi = 0; phi < 360; phi += 15) {
             // cos(89.9 degrees) = 1.7e-3, |w| = 3.5e-3.
             bothGraze.add(query(Direction.ofDegrees(89.9, phi), Direction.ofDegrees(89.9, 100), 450e-9));
@@ -266,7 +267,7 @@ class RandomCasesTest extends InAContext {
         HeightMap map = new HeightMap(8, 8, 200e-9, 200e-9, heights);
         GaussianArea area =
                 new GaussianArea(CoherenceWindow.ofCoherenceLength(30e-6), WindowOrigin.CENTRE, Average.ENSEMBLE);
-        List<Query> queries = List.of(query(Direction.ofDisc(0.5, 0.2), Direction.ofDisc(0.1, 0.3), 500e-9));
+        List<DirectionQuery> queries = List.of(query(Direction.ofDisc(0.5, 0.2), Direction.ofDisc(0.1, 0.3), 500e-9));
         RandomCase grain = new RandomCase(0, "grain", map, area, TOLERANCE, "given", true, queries);
         SpectrumPlan planned = grain.plan();
         // 961 bins at some hundred wavelengths, more than 65,535 together.

@@ -25,18 +25,18 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.Weights;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
+import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.setting.Choices;
 
 /** Test that draws scenes in one render context, with a new folder as home. */

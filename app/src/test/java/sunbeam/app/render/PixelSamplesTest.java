@@ -15,12 +15,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.InAContext;
-import sunbeam.app.render.DrawRequest.SceneBlocks;
 import sunbeam.app.render.PixelPicture.LitPixels;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.DisplayTransform.Tone;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.setting.Choices;
 
 /**

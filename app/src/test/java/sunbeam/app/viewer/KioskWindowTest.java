@@ -16,7 +16,7 @@ import javax.swing.JTextArea;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.render.LineDrawings.LightCone;
+import sunbeam.app.render.LightCone;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.mesh.MeshSource;
 

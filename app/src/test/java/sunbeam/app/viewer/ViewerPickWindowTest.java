@@ -21,14 +21,13 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.render.Pick;
 import sunbeam.app.scene.PatchAtlas;
+import sunbeam.app.scene.Placement;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneObject;
-import sunbeam.app.scene.SceneObject.Placement;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.viewer.ScenePresenter.Overlay;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
+import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.text.Text;
 
 /** The panel and the BRDF map of a point picked by a double click, in a real window. */

@@ -24,11 +24,10 @@ import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.viewer.ScenePresenter.Overlay;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 
 /** The viewer in a real window, driven by a robot: small, hidden and large again; and another method beside the scene's own. */

@@ -9,7 +9,7 @@ import sunbeam.precompute.analysis.OrderLight.Efficiency;
 import sunbeam.precompute.analysis.OrderSpectrum.Wave;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.BandTransform2d;
-import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
+import sunbeam.precompute.spectrum.ComplexVector;
 
 /** Light around one order of a scan: its bins, whose transform is the order's field over the scan. */
 final class OrderField {

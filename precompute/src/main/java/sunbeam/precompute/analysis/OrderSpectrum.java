@@ -11,8 +11,8 @@ import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.CoefficientTable;
 import sunbeam.precompute.spectrum.Expansion;
-import sunbeam.precompute.spectrum.Expansion.HeightScale;
 import sunbeam.precompute.spectrum.FourierTable;
+import sunbeam.precompute.spectrum.HeightScale;
 import sunbeam.precompute.spectrum.LowRankExpansion;
 import sunbeam.precompute.spectrum.PhaseNodes.GaussLegendre;
 

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import sunbeam.precompute.analysis.HeightSpectrum.RepeatedPeriod;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.prepare.ScanFaults.ScanFault;
+import sunbeam.precompute.prepare.ScanFault;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 

@@ -13,7 +13,6 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
-import sunbeam.precompute.colortable.TileGrid.TableSpace;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.files.Sha256;
@@ -63,7 +62,7 @@ public record ValidatedTable(AtlasPages pages, ErrorStatistics errors) {
     public static Optional<ValidatedTable> cached(
             ColorTable levels,
             TablePoints points,
-            LevelBaking.CachedTiles cached,
+            CachedTiles cached,
             Function<TableDesign, ColorBaker> bakers,
             LongFunction<Progress> tokens) {
         TileGrid grid = TileGrid.of(levels.levels().get(0));

@@ -12,8 +12,9 @@ import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
+import sunbeam.precompute.plan.MethodUse;
 import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.SpectrumPlan;
@@ -98,7 +99,7 @@ public record ColorTablePlan(
                 finest.spectrum(),
                 Optional.of(this),
                 finest.memory(),
-                EnumSet.of(ShaderTables.MethodUse.COLOR),
+                EnumSet.of(MethodUse.COLOR),
                 this::identity,
                 (use, sources) -> tables());
     }

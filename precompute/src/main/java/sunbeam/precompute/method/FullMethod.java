@@ -3,11 +3,12 @@ package sunbeam.precompute.method;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
+import sunbeam.precompute.plan.MethodUse;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -30,7 +31,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
     }
 
     public static FullMethod thesis() {
-        return of(Choices.none().with(MethodSettings.PRESET, MethodSettings.Preset.THESIS));
+        return of(Choices.none().with(MethodSettings.PRESET, Preset.THESIS));
     }
 
     @Override

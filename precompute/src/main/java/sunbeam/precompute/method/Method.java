@@ -2,10 +2,10 @@ package sunbeam.precompute.method;
 
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.setting.Setting.Sentence;
+import sunbeam.precompute.setting.Sentence;
 
 /** Diffraction method with all its settings. Immutable; equal by value. Scenes treat {@link TableMethod} separately. */
 public interface Method {

@@ -5,14 +5,14 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
-import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.MethodUse;
 import sunbeam.precompute.plan.ShaderTables;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.plan.SpectrumPlan;
-import sunbeam.precompute.setting.Setting.Sentence;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.work.Progress;
 

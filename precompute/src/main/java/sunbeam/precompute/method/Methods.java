@@ -5,7 +5,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.util.List;
 import java.util.stream.Collectors;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;

@@ -6,16 +6,17 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.ArrayLayout;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
+import sunbeam.precompute.plan.MethodUse;
 import sunbeam.precompute.plan.ShaderArrays;
 import sunbeam.precompute.plan.ShaderTables;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableArray;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.setting.Setting.Sentence;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
@@ -80,7 +81,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                 Optional.empty(),
                 Optional.empty(),
                 MemoryNeed.of(plan, surface.map().rows()).and(ownLayout(weighted)),
-                EnumSet.allOf(ShaderTables.MethodUse.class),
+                EnumSet.allOf(MethodUse.class),
                 () -> "nmm|" + weighted + "|" + surface.key() + "|" + plan.key() + "|" + fresnel,
                 (use, sources) -> tables(surface, plan, plan.tables(sources.fourier(plan), use, surface.cie())));
     }

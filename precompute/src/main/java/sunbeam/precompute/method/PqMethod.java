@@ -9,10 +9,12 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
+import sunbeam.precompute.plan.MethodUse;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.ShaderArrays;
 import sunbeam.precompute.plan.ShaderArrays.KernelPolynomials;
 import sunbeam.precompute.plan.ShaderTables;
@@ -20,13 +22,13 @@ import sunbeam.precompute.plan.TableArray;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.Setting;
-import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.spectrum.Band;
-import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
 import sunbeam.precompute.spectrum.CoefficientTable;
+import sunbeam.precompute.spectrum.ComplexVector;
 import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 import sunbeam.precompute.spectrum.PeriodInterpolation.PeriodSpectrum;
@@ -71,7 +73,7 @@ public record PqMethod(
     public static PeriodInterpolation interpolation(Choices choices) {
         return choices.get(
                 MethodSettings.INTERPOLATION,
-                MethodSettings.Preset.isThesis(choices) ? PeriodInterpolation.RING : PeriodInterpolation.SINC);
+                Preset.isThesis(choices) ? PeriodInterpolation.RING : PeriodInterpolation.SINC);
     }
 
     @Override
@@ -158,7 +160,7 @@ public record PqMethod(
                     Optional.empty(),
                     Optional.empty(),
                     memory(),
-                    EnumSet.allOf(ShaderTables.MethodUse.class),
+                    EnumSet.allOf(MethodUse.class),
                     () -> "pq|" + surface.key() + "|" + expansion.key() + "|" + range + "|" + method.interpolation + "|"
                             + replicas + "|" + wavelengths.count() + "|" + method.fresnel,
                     (use, sources) -> tables());

@@ -7,9 +7,9 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchSettings;
-import sunbeam.precompute.plan.MethodSettings.Preset;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Setting.Sentence;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 

@@ -39,16 +39,4 @@ public record CoherenceWindow(double sigmaMeters) {
     public double mirrorReach(double period) {
         return Math.max(specularReach(LONGEST_WAVELENGTH), LONGEST_WAVELENGTH / Math.max(LONGEST_WAVE, 2 * period));
     }
-
-    public enum WindowOrigin {
-        /** Sample (floor(columns / 2), floor(rows / 2)), counted from the top left. */
-        CENTRE,
-        /** Sample (0, 0), as in the thesis: the edge between two replicas of the patch lies under the window's maximum. */
-        CORNER;
-
-        /** Returns the sample's index along an axis with a number of samples. */
-        public int sample(int count) {
-            return this == CENTRE ? count / 2 : 0;
-        }
-    }
 }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.prepare.ScanFaults.ScanFault;
+import sunbeam.precompute.prepare.ScanFault;
 
 /**
  * Surface that is ready for analysis and rendering: complete heights in meters.

@@ -3,8 +3,8 @@ package sunbeam.precompute.plan;
 import java.util.List;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.setting.Choices;
@@ -18,7 +18,7 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
             List.of(MethodSettings.WINDOW_ORIGIN, MethodSettings.COHERENCE_LENGTH, MethodSettings.AVERAGE);
 
     public static GaussianArea of(Choices choices) {
-        boolean thesis = MethodSettings.Preset.isThesis(choices);
+        boolean thesis = Preset.isThesis(choices);
         return new GaussianArea(
                 windowOf(choices),
                 choices.get(MethodSettings.WINDOW_ORIGIN, thesis ? WindowOrigin.CORNER : WindowOrigin.CENTRE),

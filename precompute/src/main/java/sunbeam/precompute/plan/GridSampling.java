@@ -10,7 +10,6 @@ import java.util.stream.Stream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.plan.Sampling.OrderSampling.BandRule;
 import sunbeam.precompute.plan.ShaderArrays.KernelPolynomials;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.CoefficientTable;

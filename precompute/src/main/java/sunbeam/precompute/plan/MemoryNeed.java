@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.setting.Excess;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.text.Text;

@@ -7,10 +7,8 @@ import sunbeam.precompute.color.CieTable.Observer;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
-import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.optics.Replicas;
-import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.spectrum.Expansion;
@@ -173,45 +171,6 @@ public final class MethodSettings {
                         + Text.nearest(name, Illuminant.NAMES)
                                 .map(near -> " (did you mean " + near + "?)")
                                 .orElse("")));
-    }
-
-    /** Source of the default settings. */
-    public enum Preset {
-        NONE,
-        /** The values are in docs/theory.md. */
-        THESIS;
-
-        public static boolean isThesis(Choices choices) {
-            return choices.get(PRESET, NONE) == THESIS;
-        }
-    }
-
-    /** Exponent of Fresnel's reflectance in the radiance (shaders/include/fresnel.glsl). */
-    public enum FresnelFactor {
-        /** A mirror's radiance is proportional to its reflectance. */
-        ONCE,
-        SQUARED;
-
-        public int exponent() {
-            return this == SQUARED ? 2 : 1;
-        }
-
-        public static FresnelFactor of(Choices choices) {
-            return choices.get(FRESNEL, Preset.isThesis(choices) ? SQUARED : ONCE);
-        }
-
-        /** Throws a SettingException for the square of an index by wavelength, whose colors are no sum of two integrals. */
-        public static void requireFor(RefractiveIndex index, Choices choices) {
-            if (of(choices) == SQUARED && !index.isConstant()) {
-                throw choices.complaint(
-                        FRESNEL,
-                        "squared is for an index that is the same at all wavelengths; give once, or one number as index");
-            }
-        }
-
-        public ShaderTables applyTo(ShaderTables tables) {
-            return this == ONCE ? tables : tables.with(all -> all.define("FRESNEL_SQUARED", 1));
-        }
     }
 
     /** Form of the grating formula of method gem (shaders/method/gem.glsl). */

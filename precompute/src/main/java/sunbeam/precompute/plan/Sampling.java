@@ -7,7 +7,6 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.CoefficientTable;
 import sunbeam.precompute.spectrum.Expansion;

@@ -109,11 +109,4 @@ public record ShaderTables(
             return new ShaderTables(shader, defines, reals, integers, arrays, windowSigma, specularReach, trial);
         }
     }
-
-    public enum MethodUse {
-        /** Colors of directions, over all wavelengths. */
-        COLOR,
-        /** Coherent and ensemble power at single wavelengths. */
-        SPECTRAL
-    }
 }

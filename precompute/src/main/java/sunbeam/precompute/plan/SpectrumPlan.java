@@ -10,10 +10,10 @@ import java.util.function.IntConsumer;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
 import sunbeam.precompute.setting.Excess;
-import sunbeam.precompute.setting.Setting.Sentence;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.spectrum.Band;
@@ -181,7 +181,7 @@ public record SpectrumPlan(
                         "window: coherence length %s, its spectrum has a deviation of %.4g cycles per meter, centered on the %s",
                         Lengths.format(window().coherenceLength()),
                         window().sigmaFrequency(),
-                        area.origin() == CoherenceWindow.WindowOrigin.CORNER ? "corner" : "patch's center"),
+                        area.origin() == WindowOrigin.CORNER ? "corner" : "patch's center"),
                 "bins: " + bins() + " reach every visible frequency at 380 nm and the window's width beyond");
     }
 

@@ -2,7 +2,6 @@ package sunbeam.precompute.plan;
 
 import java.util.List;
 import java.util.Optional;
-import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 

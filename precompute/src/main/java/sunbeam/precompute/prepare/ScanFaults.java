@@ -202,21 +202,6 @@ public final class ScanFaults {
         return sum;
     }
 
-    /**
-     * Fault of a measured scan.
-     *
-     * @param words description without a full stop; rows are counted from 1 at the top of the whole scan
-     * @param part largest part of the scan without the fault; empty if no part is, or if a leveling removes the fault
-     * @param unmeasured share, 0..1, of rows without a measurement
-     * @param remedy text that names the option that removes the fault; empty if unknown
-     */
-    public record ScanFault(
-            String words, Optional<Crop> part, Optional<Leveling> leveling, double unmeasured, String remedy) {
-        public String line() {
-            return words + (remedy.isEmpty() ? "" : "; " + remedy);
-        }
-    }
-
     /** Finds rows without a measurement: missing, constant, or like the row before; if there are many, all count as measured. */
     private static final class MeasuredRows {
         // Single samples are often missing.

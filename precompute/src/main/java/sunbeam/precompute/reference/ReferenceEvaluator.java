@@ -5,6 +5,7 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.reference.SurfaceSums.AxisWeights;
 import sunbeam.precompute.reference.SurfaceSums.AxisWeights.Axis;
@@ -27,7 +28,7 @@ public record ReferenceEvaluator(
     private static final double POWER_REACH = 6.8;
 
     /** Throws IllegalArgumentException if samples are missing. */
-    public ReferenceEvaluator(HeightMap map, CoherenceWindow window, CoherenceWindow.WindowOrigin origin) {
+    public ReferenceEvaluator(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
         this(
                 SurfaceSums.of(map),
                 window,

@@ -5,14 +5,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import sunbeam.precompute.setting.Setting.Sentence;
 
 /** Values of settings, each with the source where it was chosen. Immutable. Equality ignores the sources. */
 public final class Choices {
-    private record Choice(Object value, Origin origin) {
+    private record Choice(Object value, ChoiceOrigin origin) {
         @Override
         public boolean equals(Object other) {
             return other instanceof Choice choice && choice.value.equals(value);
@@ -25,19 +23,19 @@ public final class Choices {
     }
 
     private final Map<Setting<?>, Choice> choices;
-    private final Origin home;
+    private final ChoiceOrigin home;
 
-    private Choices(Map<Setting<?>, Choice> choices, Origin home) {
+    private Choices(Map<Setting<?>, Choice> choices, ChoiceOrigin home) {
         this.choices = choices;
         this.home = home;
     }
 
     public static Choices none() {
-        return at(Origin.PROGRAM);
+        return at(ChoiceOrigin.PROGRAM);
     }
 
     /** Returns an empty set; its home is the source of values without another, and of complaints about settings that were not chosen. */
-    public static Choices at(Origin home) {
+    public static Choices at(ChoiceOrigin home) {
         return new Choices(new LinkedHashMap<>(), home);
     }
 
@@ -63,7 +61,7 @@ public final class Choices {
         return List.copyOf(choices.keySet());
     }
 
-    public Origin origin(Setting<?> setting) {
+    public ChoiceOrigin origin(Setting<?> setting) {
         Choice choice = choices.get(setting);
         return choice == null ? home : choice.origin();
     }
@@ -73,16 +71,16 @@ public final class Choices {
         return with(setting, value, home);
     }
 
-    public <T> Choices with(Setting<T> setting, T value, Origin origin) {
+    public <T> Choices with(Setting<T> setting, T value, ChoiceOrigin origin) {
         return with(setting, origin, () -> setting.kind().check(value));
     }
 
     /** Returns these choices with a value given as text; throws SettingException if it is none of the setting. */
-    public <T> Choices parsed(Setting<T> setting, String text, Origin origin) {
+    public <T> Choices parsed(Setting<T> setting, String text, ChoiceOrigin origin) {
         return with(setting, origin, () -> setting.kind().parse(text));
     }
 
-    private <T> Choices with(Setting<T> setting, Origin origin, Supplier<T> value) {
+    private <T> Choices with(Setting<T> setting, ChoiceOrigin origin, Supplier<T> value) {
         Map<Setting<?>, Choice> all = new LinkedHashMap<>(choices);
         try {
             all.put(setting, new Choice(value.get(), origin));
@@ -96,7 +94,7 @@ public final class Choices {
     public <T> Choices orStandard(Setting<T> setting) {
         return has(setting) || setting.standard().isEmpty()
                 ? this
-                : with(setting, setting.standard().get(), Origin.PROGRAM);
+                : with(setting, setting.standard().get(), ChoiceOrigin.PROGRAM);
     }
 
     public Choices without(Collection<? extends Setting<?>> settings) {
@@ -131,13 +129,13 @@ public final class Choices {
         try {
             return action.get();
         } catch (SettingException failure) {
-            if (failure.place() != Origin.Place.PROGRAM) {
+            if (failure.place() != ChoiceOrigin.Place.PROGRAM) {
                 throw failure;
             }
             Setting<?> setting = failure.about();
             String value = has(setting) ? written(setting) : failure.value();
             // The user can change a value that the program chose at home.
-            Origin place = origin(setting).place() == Origin.Place.PROGRAM ? home : origin(setting);
+            ChoiceOrigin place = origin(setting).place() == ChoiceOrigin.Place.PROGRAM ? home : origin(setting);
             throw new SettingException(
                     setting, failure.problem(), place, value, failure.excess().orElse(null), failure);
         }
@@ -167,38 +165,5 @@ public final class Choices {
     @Override
     public String toString() {
         return describe();
-    }
-
-    /** Source of a setting's value (an option, a file, a control). It formats complaints about the value. */
-    public interface Origin {
-        enum Place {
-            OPTION,
-            FILE,
-            CONTROL,
-            PROGRAM
-        }
-
-        Place place();
-
-        /** Returns the name of a setting at this source, for use in a sentence: {@code --terms}, {@code terms}. */
-        String name(Setting<?> setting);
-
-        /** Returns an error message in one line; the problem continues "the value ...", such as "must be at least 1". */
-        default String complaint(Setting<?> setting, String value, String problem) {
-            return (name(setting) + " " + value).strip() + " " + problem;
-        }
-
-        /** The program itself. It names a setting by the words of its key, such as {@code coherence length}. */
-        Origin PROGRAM = of(Place.PROGRAM, setting -> setting.words(" "));
-
-        static Origin of(Place place, Function<Setting<?>, String> names) {
-            record Named(Place place, Function<Setting<?>, String> names) implements Origin {
-                @Override
-                public String name(Setting<?> setting) {
-                    return names.apply(setting);
-                }
-            }
-            return new Named(place, names);
-        }
     }
 }

@@ -25,8 +25,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.setting.Choices.Origin;
-import sunbeam.precompute.setting.Choices.Origin.Place;
+import sunbeam.precompute.setting.ChoiceOrigin.Place;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
@@ -260,15 +259,15 @@ public final class JsonObject {
         };
     }
 
-    public Origin origin() {
+    public ChoiceOrigin origin() {
         return new KeyOrigin(Place.FILE, this, Optional.empty());
     }
 
-    public Origin originAt(String key) {
+    public ChoiceOrigin originAt(String key) {
         return new KeyOrigin(Place.FILE, this, Optional.of(key));
     }
 
-    private record KeyOrigin(Place place, JsonObject object, Optional<String> key) implements Origin {
+    private record KeyOrigin(Place place, JsonObject object, Optional<String> key) implements ChoiceOrigin {
         @Override
         public String name(Setting<?> setting) {
             return setting.fileKey();

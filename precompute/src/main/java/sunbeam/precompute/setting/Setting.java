@@ -6,7 +6,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 
 /**
  * Declaration of a user's setting.
@@ -67,18 +66,5 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
     @Override
     public String toString() {
         return key;
-    }
-
-    /** Message of texts and {@link Setting}s, whose names depend on the source where they were chosen. */
-    public record Sentence(List<Object> parts) {
-        public static Sentence of(Object... parts) {
-            return new Sentence(List.of(parts));
-        }
-
-        public String in(Choices.Origin origin) {
-            return parts.stream()
-                    .map(part -> part instanceof Setting<?> setting ? origin.name(setting) : part.toString())
-                    .collect(Collectors.joining());
-        }
     }
 }

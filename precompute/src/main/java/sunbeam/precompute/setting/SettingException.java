@@ -1,8 +1,6 @@
 package sunbeam.precompute.setting;
 
 import java.util.Optional;
-import sunbeam.precompute.setting.Choices.Origin;
-import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.text.Text;
 
 /** Reports an invalid value of a setting. {@link Choices#located} adds the source of the value. */
@@ -12,21 +10,22 @@ public final class SettingException extends RuntimeException {
     private final transient Setting<?> about;
     private final transient Sentence problem;
     private final String value;
-    private final Origin.Place place;
+    private final ChoiceOrigin.Place place;
     private final transient Excess excess;
 
     /** Creates an exception without a source; the problem, texts and settings, continues "the setting and its value ...". */
     public SettingException(Setting<?> about, Object... problem) {
-        this(about, Sentence.of(problem), Origin.PROGRAM, "", null, null);
+        this(about, Sentence.of(problem), ChoiceOrigin.PROGRAM, "", null, null);
     }
 
     /** Creates an exception without a source, for a value that may be a default. */
     public static <T> SettingException of(Setting<T> about, T value, Object... problem) {
         return new SettingException(
-                about, Sentence.of(problem), Origin.PROGRAM, about.kind().format(value), null, null);
+                about, Sentence.of(problem), ChoiceOrigin.PROGRAM, about.kind().format(value), null, null);
     }
 
-    SettingException(Setting<?> about, Sentence problem, Origin origin, String value, Excess excess, Throwable cause) {
+    SettingException(
+            Setting<?> about, Sentence problem, ChoiceOrigin origin, String value, Excess excess, Throwable cause) {
         super(Text.oneLine(origin.complaint(about, value, problem.in(origin))), cause);
         this.about = about;
         this.problem = problem;
@@ -37,7 +36,7 @@ public final class SettingException extends RuntimeException {
 
     /** Returns this exception, which has no source yet, as the consequence of a resource that does not suffice. */
     public SettingException because(Excess limit) {
-        return new SettingException(about, problem, Origin.PROGRAM, value, limit, this);
+        return new SettingException(about, problem, ChoiceOrigin.PROGRAM, value, limit, this);
     }
 
     /** Returns the resource that the value exceeds; empty if the value is wrong on any machine. */
@@ -57,7 +56,7 @@ public final class SettingException extends RuntimeException {
         return value;
     }
 
-    public Origin.Place place() {
+    public ChoiceOrigin.Place place() {
         return place;
     }
 }

@@ -2,8 +2,6 @@ package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
 import org.apache.commons.math3.complex.Complex;
-import org.apache.commons.math3.stat.StatUtils;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.ValueKind;
 
 /**
@@ -64,36 +62,6 @@ public interface Expansion {
 
     default String key() {
         return ValueKind.name(kind()) + "|" + terms() + "|" + scale() + "|" + minimumPhase() + "|" + maximumPhase();
-    }
-
-    /**
-     * Linear map of heights h to s = (h - center) / halfRange in [-1, 1], in meters: k^n and h^n in SI units exceed the range of float32 and
-     * even of double. The center changes the phase of the whole surface only, never its power.
-     */
-    record HeightScale(double center, double halfRange) {
-        // Meters, for a flat patch; the phase of a picometer is negligible.
-        private static final double FLAT_HALF_RANGE = 1e-12;
-
-        public static HeightScale midRange(HeightLevels heights) {
-            double center = 0.5 * (heights.minimum() + heights.maximum());
-            return new HeightScale(center, Math.max(FLAT_HALF_RANGE, heights.maximum() - center));
-        }
-
-        /** Returns the scale centered on the mean height, as in the thesis. */
-        public static HeightScale mean(HeightLevels heights) {
-            double center = StatUtils.mean(heights.map().heights());
-            double reach = Math.max(heights.maximum() - center, center - heights.minimum());
-            return new HeightScale(center, Math.max(FLAT_HALF_RANGE, reach));
-        }
-
-        public double scaled(double height) {
-            return (height - center) / halfRange;
-        }
-
-        /** Returns the phase zeta = k |w| halfRange in radians, for a wavelength in meters and |w| in 0..2. */
-        public double phase(double wavelength, double absoluteW) {
-            return 2 * Math.PI / wavelength * absoluteW * halfRange;
-        }
     }
 
     /** Taylor series: T_n = s^n, c_n = zeta^n / n! (thesis eq. 2.44), with heights scaled to [-1, 1]. */

@@ -10,12 +10,10 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.function.IntConsumer;
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.numerics.Floats;
-import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
-import sunbeam.precompute.spectrum.Expansion.HeightScale;
 
 /**
  * DFT bins of an expansion's terms T_n(h) over one patch, limited to the visible frequencies, bin / width and bin / height. Parts are

@@ -10,7 +10,6 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.apache.commons.math3.special.BesselJ;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.spectrum.Expansion.HeightScale;
 
 /**
  * Expansion with the fewest terms for one patch: singular vectors of the kernel exp(-i zeta s), sampled at Gauss-Legendre nodes of the phases

@@ -3,7 +3,6 @@ package sunbeam.precompute.spectrum;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
 import sunbeam.precompute.spectrum.InterpolationDesign.KaiserBessel;
 
 /**

@@ -3,7 +3,6 @@ package sunbeam.precompute.spectrum;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.Lagrange;
-import sunbeam.precompute.spectrum.Expansion.HeightScale;
 
 /**
  * Power spectrum of a surface: |F_j|^2 of its DFT bins as a short sum of terms, each a function of the phase zeta times one value per bin.

@@ -8,8 +8,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
-import sunbeam.precompute.analysis.OrderLight.OrderLattice;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.CieTable.Observer;
 import sunbeam.precompute.color.Illuminant;

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.prepare.Leveling;
+import sunbeam.precompute.prepare.ScanFault;
 import sunbeam.precompute.prepare.ScanFaults;
 
 /** Verdicts of drawn surfaces beside their truth. {@link #main} counts larger numbers. */
@@ -86,7 +87,7 @@ class KnownSurfaceTest {
 
     private static Patch patch(HeightMap raw) {
         HeightMap map = Leveling.PLANE.apply(raw);
-        List<ScanFaults.ScanFault> faults = ScanFaults.in(raw, Optional.empty());
+        List<ScanFault> faults = ScanFaults.in(raw, Optional.empty());
         return new Patch("drawn", map, map, "a test", List.of(), List.of(), List.of(), faults, Patch.Repetition.NONE);
     }
 

@@ -26,7 +26,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Leveling;
-import sunbeam.precompute.prepare.ScanFaults.ScanFault;
+import sunbeam.precompute.prepare.ScanFault;
 
 class VerdictTest {
     private static Patch scan(HeightMap map, Patch.Repetition repetition, ScanFault... faults) {

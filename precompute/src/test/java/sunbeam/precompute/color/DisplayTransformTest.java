@@ -10,8 +10,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.precompute.color.DisplayTransform.Primaries;
-import sunbeam.precompute.color.DisplayTransform.Tone;
 
 /** Colors as a display shows them, and their differences. */
 class DisplayTransformTest {

@@ -21,6 +21,7 @@ import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
@@ -38,9 +39,7 @@ class RadialBakerTest {
 
     static GaussianArea ensemble(double coherenceLength) {
         return new GaussianArea(
-                CoherenceWindow.ofCoherenceLength(coherenceLength),
-                CoherenceWindow.WindowOrigin.CENTRE,
-                Average.ENSEMBLE);
+                CoherenceWindow.ofCoherenceLength(coherenceLength), WindowOrigin.CENTRE, Average.ENSEMBLE);
     }
 
     private static RadialBaker smallBaker() {

@@ -16,7 +16,6 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.ValidatedTable.TablePoints;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.Direction;

@@ -25,7 +25,7 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.ModelError.Incidence;
 import sunbeam.precompute.patch.Patch.Repetition;
-import sunbeam.precompute.prepare.ScanFaults.ScanFault;
+import sunbeam.precompute.prepare.ScanFault;
 
 /** Warnings about scans and about the model on their slopes. */
 class PatchAssemblerTest {

@@ -21,9 +21,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.patch.PatchLoader.PatchDescriptor;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 import sunbeam.precompute.prepare.Leveling;
-import sunbeam.precompute.setting.Choices.Origin;
+import sunbeam.precompute.setting.ChoiceOrigin;
 import sunbeam.precompute.setting.SettingException;
 
 /** Patches by their names, with the scale of options or of a descriptor. */
@@ -51,7 +50,7 @@ class PatchLoaderTest {
     private void assertChoiceRefused(PatchRequest request, String... complaints) {
         assertThatThrownBy(() -> PatchRequests.load(request))
                 .isInstanceOf(SettingException.class)
-                .satisfies(e -> assertThat(((SettingException) e).place()).isEqualTo(Origin.Place.OPTION))
+                .satisfies(e -> assertThat(((SettingException) e).place()).isEqualTo(ChoiceOrigin.Place.OPTION))
                 .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
     }
 

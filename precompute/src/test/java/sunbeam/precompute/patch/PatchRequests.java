@@ -1,13 +1,13 @@
 package sunbeam.precompute.patch;
 
 import sunbeam.precompute.patch.PatchLoader.HeightCache;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
+import sunbeam.precompute.setting.ChoiceOrigin;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Setting;
 
 final class PatchRequests {
-    private static final Origin OPTION = Origin.of(Origin.Place.OPTION, setting -> "--" + setting.words("-"));
+    private static final ChoiceOrigin OPTION =
+            ChoiceOrigin.of(ChoiceOrigin.Place.OPTION, setting -> "--" + setting.words("-"));
 
     private PatchRequests() {}
 

@@ -22,7 +22,6 @@ import java.util.Iterator;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.FileImageOutputStream;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
 
 final class TestImages {
     private TestImages() {}

@@ -23,17 +23,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.GridSampling.TermsLayout;
-import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.Sampling.BinSampling;
 import sunbeam.precompute.plan.Sampling.OrderSampling;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
+import sunbeam.precompute.setting.ChoiceOrigin;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.FourierTable;
@@ -149,7 +147,7 @@ class PlannerTest {
 
     private static List<String> warnings(Choices choices) {
         return plan(400e-9, choices).warnings().stream()
-                .map(line -> line.in(Origin.PROGRAM))
+                .map(line -> line.in(ChoiceOrigin.PROGRAM))
                 .toList();
     }
 

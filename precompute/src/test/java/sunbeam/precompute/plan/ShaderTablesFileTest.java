@@ -20,7 +20,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.plan.ShaderArrays.KernelPolynomials;
-import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.spectrum.InterpolationDesign;
 
 /** Tables are read back bit by bit, other files are refused; layouts and kernels in tables. */

@@ -16,7 +16,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 
 class ScanFaultsTest {
     private static final int COLUMNS = 120;

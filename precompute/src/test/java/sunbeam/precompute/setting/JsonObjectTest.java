@@ -18,7 +18,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.setting.Choices.Origin;
 
 /** Choices of settings from JSON, and messages about choices from any place. */
 class JsonObjectTest {
@@ -44,7 +43,7 @@ class JsonObjectTest {
         assertThat(choices.find(ANGLE)).contains(Math.PI / 2);
         assertThat(choices.find(NAME)).contains("7");
         assertThat(choices.has(ERROR)).isFalse();
-        assertThat(choices.origin(TERMS).place()).isEqualTo(Origin.Place.FILE);
+        assertThat(choices.origin(TERMS).place()).isEqualTo(ChoiceOrigin.Place.FILE);
     }
 
     @ParameterizedTest
@@ -105,7 +104,8 @@ class JsonObjectTest {
         assertThat(read.choices(ALL)).isEqualTo(choices);
     }
 
-    private static final Origin OPTION = Origin.of(Origin.Place.OPTION, setting -> "--" + setting.words("-"));
+    private static final ChoiceOrigin OPTION =
+            ChoiceOrigin.of(ChoiceOrigin.Place.OPTION, setting -> "--" + setting.words("-"));
 
     @Test
     void complaintsAboutADefaultShowItsValue() {

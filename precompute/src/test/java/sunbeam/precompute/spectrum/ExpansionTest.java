@@ -15,7 +15,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.spectrum.Expansion.HeightScale;
 import sunbeam.precompute.spectrum.Expansion.TaylorExpansion;
 
 class ExpansionTest {

@@ -18,8 +18,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.spectrum.BandTransform2d.ComplexVector;
-import sunbeam.precompute.spectrum.Expansion.HeightScale;
 import sunbeam.precompute.spectrum.Expansion.TaylorExpansion;
 
 /** Tables of terms, powers of them, and their file. */

@@ -15,9 +15,9 @@ import java.util.stream.Stream;
 import sunbeam.app.cli.DirectionSampler;
 import sunbeam.app.cli.JsonOption;
 import sunbeam.app.cli.export.BsdfMaterial.Slice;
-import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.NpyWriter;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
+import sunbeam.app.files.output.StreamContent;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -66,7 +66,7 @@ record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
                 "%d x %d first directions, %d x %d second, %d bands; error of power as it is read, where it exceeds %.0e: beside"
                         + " the reference at %s %s",
                 shape.phis(), shape.thetas(), side, side, shape.bands().count(), LEAST_POWER, errors.pairs(), errors);
-        AtomicFile.StreamContent content = stream -> write(stream, fields(material, metadata, note));
+        StreamContent content = stream -> write(stream, fields(material, metadata, note));
         return new Output(Map.of(".bsdf", content), List.of(note), errors);
     }
 
@@ -113,7 +113,7 @@ record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
         DirectionSampler sampler = new DirectionSampler(
                 metadata.setup().patch().heights(), grid.level().area().window(), SEED);
         double lowest = Math.cos(material.shape().largest());
-        List<Query> queries = Stream.generate(sampler::aimed)
+        List<DirectionQuery> queries = Stream.generate(sampler::aimed)
                 .limit(COMPARED_PAIRS)
                 .filter(query -> Math.min(query.pair().cosThetaI(), query.pair().cosThetaR()) > lowest)
                 .toList();
@@ -134,7 +134,7 @@ record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
     }
 
     /** An array of bytes or of float32 numbers. */
-    private record Field(String name, byte type, long[] shape, AtomicFile.StreamContent content) {
+    private record Field(String name, byte type, long[] shape, StreamContent content) {
         static Field of(String name, byte... bytes) {
             return new Field(name, UINT8, new long[] {bytes.length}, stream -> stream.write(bytes));
         }

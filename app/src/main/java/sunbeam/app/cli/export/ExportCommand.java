@@ -27,6 +27,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneLoader.LoadingScene;
@@ -327,7 +328,7 @@ public final class ExportCommand extends FileCommand {
             }
         }
 
-        List<Path> write(Path output, Overwrite overwrite, Map<String, AtomicFile.StreamContent> files) {
+        List<Path> write(Path output, Overwrite overwrite, Map<String, StreamContent> files) {
             return ending != null
                     ? List.of(AtomicFile.write(
                             output, overwrite, files.values().iterator().next()))

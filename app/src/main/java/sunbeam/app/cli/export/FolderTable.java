@@ -12,8 +12,8 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.app.cli.JsonOption;
-import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.precompute.colortable.NumberFormat;
 
 /** A folder for renderers: shader source and textures; for those that do not filter by averaging samples, with mip levels. */
@@ -73,29 +73,29 @@ record FolderTable(boolean isGlsl) implements TableWriter {
         int rows = shape.v().count();
         int slices = shape.depth().count();
         int doublings = isGlsl ? Math.min(MOST_DOUBLINGS, baker.doublings(grid)) : 0;
-        Map<String, AtomicFile.StreamContent> files = new LinkedHashMap<>();
+        Map<String, StreamContent> files = new LinkedHashMap<>();
         String language = isGlsl ? "glsl" : "osl";
         String function = ShaderText.of("sunbeam." + language, metadata, doublings);
         if (!isGlsl) {
-            files.put(".osl", AtomicFile.StreamContent.of(function));
+            files.put(".osl", StreamContent.of(function));
         } else {
             for (ShaderText.Language each : ShaderText.Language.values()) {
-                files.put(each.ending(), AtomicFile.StreamContent.of(each.translate(function)));
+                files.put(each.ending(), StreamContent.of(each.translate(function)));
             }
         }
         files.put(
                 ".exr",
                 stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json)
                         .write(stream));
-        files.put(".md", AtomicFile.StreamContent.of(ShaderText.of(language + ".md", metadata, doublings)));
-        files.put(".json", AtomicFile.StreamContent.of(json));
+        files.put(".md", StreamContent.of(ShaderText.of(language + ".md", metadata, doublings)));
+        files.put(".json", StreamContent.of(json));
         if (isGlsl) {
             List<short[]> levels = IntStream.rangeClosed(0, doublings)
                     .mapToObj(level -> halves(level == 0 ? grid : baker.coarser(grid, level), 4))
                     .toList();
             files.put(".ktx2", stream -> new Ktx2File(columns, rows, slices, levels, json).write(stream));
             String page = ShaderText.read("example.html").replace("@EXPOSURE@", "" + (float) metadata.exposure());
-            files.put(".html", AtomicFile.StreamContent.of(page));
+            files.put(".html", StreamContent.of(page));
         }
         return new Output(files, metadata);
     }

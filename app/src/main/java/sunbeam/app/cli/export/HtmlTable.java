@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.zip.Deflater;
-import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.patch.Patch;
@@ -113,7 +113,7 @@ final class HtmlTable implements TableWriter {
         values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
         values.put("SCENE", scene.map(PageScene::elements).orElse(""));
         String page = ShaderText.fill(ShaderText.of("page.html", metadata, doublings()), values);
-        return new Output(Map.of(".html", AtomicFile.StreamContent.of(page)), metadata);
+        return new Output(Map.of(".html", StreamContent.of(page)), metadata);
     }
 
     private String shaders(TableMetadata metadata) {

@@ -9,8 +9,8 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.zip.ZipOutputStream;
 import sunbeam.app.cli.JsonOption;
-import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.NpyWriter;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.Srgb;
@@ -72,7 +72,7 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
         Optional<float[]> divisors =
                 metadata.divisor().map(found -> divisors(found, metadata.setup().cie()));
         float[] colors = colors(shape, isSpectral() ? baker.bands(grid, bands) : List.of(grid));
-        AtomicFile.StreamContent content = stream -> {
+        StreamContent content = stream -> {
             try (ZipOutputStream zip = new ZipOutputStream(stream)) {
                 zip.setLevel(1);
                 zip.putNextEntry(NpyWriter.entry("metadata.json"));

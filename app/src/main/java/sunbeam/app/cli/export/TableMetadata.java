@@ -13,12 +13,12 @@ import java.util.stream.Stream;
 import sunbeam.app.cli.DirectionSampler;
 import sunbeam.app.cli.JsonOption;
 import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
-import sunbeam.app.gpu.DirectionsRenderer.Query;
+import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.EnergyDivisor;
-import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
@@ -282,7 +282,7 @@ record TableMetadata(
 
         /** Draws pairs until enough are bright or the time is over, and compares the grid with direct sums there. */
         private static Map<DirectionPair, Comparison> compare(
-                ColorGrid grid, ColorBaker baker, Supplier<Query> queries, double seconds) {
+                ColorGrid grid, ColorBaker baker, Supplier<DirectionQuery> queries, double seconds) {
             long start = System.nanoTime();
             Map<DirectionPair, Comparison> bright = new LinkedHashMap<>();
             double lowest = Math.cos(grid.shape().largestAngle());
@@ -292,7 +292,7 @@ record TableMetadata(
                 }
                 List<DirectionPair> pairs = Stream.generate(queries)
                         .limit(BATCH)
-                        .map(Query::pair)
+                        .map(DirectionQuery::pair)
                         .filter(pair -> pair.cosThetaI() >= lowest && pair.cosThetaR() >= lowest)
                         .toList();
                 float[] places = new float[3 * pairs.size()];

@@ -2,7 +2,7 @@ package sunbeam.app.cli.export;
 
 import java.util.List;
 import java.util.Map;
-import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.errors.ErrorStatistics;
 
@@ -38,8 +38,8 @@ interface TableWriter {
     Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata);
 
     /** Files by ending (one, of a format that is one file), lines to print, and the errors that the tolerance judges. */
-    record Output(Map<String, AtomicFile.StreamContent> files, List<String> notes, ErrorStatistics errors) {
-        Output(Map<String, AtomicFile.StreamContent> files, TableMetadata metadata) {
+    record Output(Map<String, StreamContent> files, List<String> notes, ErrorStatistics errors) {
+        Output(Map<String, StreamContent> files, TableMetadata metadata) {
             this(files, List.of(), metadata.errors().sums());
         }
     }

@@ -26,6 +26,7 @@ import java.util.regex.Pattern;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Text;
 
@@ -152,7 +153,7 @@ record Figure(
                 PngWriter.write(folder.resolve(SLITS), Overwrite.REPLACE, slits, Map.of());
             }
             if (picture.scene() != null) {
-                AtomicFile.write(beside(SCENE), Overwrite.REPLACE, AtomicFile.StreamContent.of(scene(picture.scene())));
+                AtomicFile.write(beside(SCENE), Overwrite.REPLACE, StreamContent.of(scene(picture.scene())));
             }
         }
 

@@ -12,6 +12,7 @@ import java.util.stream.IntStream;
 import sunbeam.app.cli.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.PictureFile;
 import sunbeam.app.files.plot.Plot;
@@ -64,7 +65,7 @@ enum FigurePlot {
                 PictureFile.of(drawing.file(), plot.draw(), Drawing.STANDARD_WIDTH, text));
         if (!numbers.isEmpty()) {
             String report = JsonOption.text(JsonOption.withCommand("figures", Map.of("numbers", numbers)));
-            AtomicFile.write(drawing.beside(".json"), Overwrite.REPLACE, AtomicFile.StreamContent.of(report));
+            AtomicFile.write(drawing.beside(".json"), Overwrite.REPLACE, StreamContent.of(report));
         }
     }
 

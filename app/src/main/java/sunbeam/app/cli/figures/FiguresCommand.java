@@ -18,6 +18,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -96,7 +97,7 @@ public final class FiguresCommand extends FileCommand {
         String options = options(drawings, sizes);
         checkPage(options);
         int code = draw(drawings);
-        AtomicFile.write(output.resolve(PAGE), Overwrite.REPLACE, AtomicFile.StreamContent.of(page(drawings, options)));
+        AtomicFile.write(output.resolve(PAGE), Overwrite.REPLACE, StreamContent.of(page(drawings, options)));
         List<Map<String, Object>> verdicts = new ArrayList<>();
         List<List<String>> numbers = new ArrayList<>();
         drawings.forEach((figure, own) -> {

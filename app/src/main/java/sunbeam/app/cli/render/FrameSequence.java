@@ -19,8 +19,8 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.Certificate;
 import sunbeam.app.cli.CertifyOption;
-import sunbeam.app.cli.DisplayOptions.PictureSize;
 import sunbeam.app.cli.JsonOption;
+import sunbeam.app.cli.PictureSize;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.LinearFile;
@@ -31,6 +31,7 @@ import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.FrameText;
+import sunbeam.app.render.LightCone;
 import sunbeam.app.render.LightCount;
 import sunbeam.app.render.LineDrawings;
 import sunbeam.app.render.PartSum;
@@ -271,7 +272,7 @@ public final class FrameSequence implements AutoCloseable {
                 LineDrawings.strokes(image.createGraphics(), session, image.getWidth(), image.getHeight());
             }
             if (lightCone) {
-                LineDrawings.LightCone.of(scene).paint(image.createGraphics(), image.getWidth(), image.getHeight());
+                LightCone.of(scene).paint(image.createGraphics(), image.getWidth(), image.getHeight());
             }
         }
     }

@@ -13,6 +13,7 @@ import sunbeam.app.render.ScenePicture;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.text.Text;
@@ -116,7 +117,7 @@ record PhotoComparison(
     }
 
     private static DisplayTransform display(double exposure) {
-        return new DisplayTransform(exposure, DisplayTransform.Tone.CLIP);
+        return new DisplayTransform(exposure, Tone.CLIP);
     }
 
     private static double[] luminances(float[] rgba, int[] pixels) {

@@ -6,7 +6,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import sunbeam.app.cli.DisplayOptions.PictureSize;
+import sunbeam.app.cli.PictureSize;
 import sunbeam.app.cli.ReportingCommand;
 import sunbeam.app.cli.SettingOptions;
 import sunbeam.app.scene.Scene;

@@ -16,7 +16,7 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.TableLabel;
 
 /**
  * Cache of bytes that depend only on the build and a name. A file has the head of a {@link TileFile}, the bytes, and the CRC-32C of both

@@ -30,7 +30,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.plan.ShaderTablesFile;
-import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.TableLabel;
 
 /**
  * Cache folder, whose files can be computed again: {@code $XDG_CACHE_HOME/sunbeam} (XDG Base Directory Specification 0.8, which ignores a

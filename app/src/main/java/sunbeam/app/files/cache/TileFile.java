@@ -25,12 +25,12 @@ import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.zip.CRC32;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.Sha256;
-import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.TableLabel;
 
 /**
  * Cache file of a color table's tiles in the order of baking. After the head (format, label, hash of the key) come records: a number made

@@ -7,7 +7,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.channels.FileChannel;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -51,16 +50,6 @@ public final class AtomicFile implements AutoCloseable {
         this.isDevice = !isStandardOutput && OutputFolder.isDevice(target);
         this.contentPath = target;
         hook = new ShutdownHook(this::discard);
-    }
-
-    @FunctionalInterface
-    public interface StreamContent {
-        void writeTo(OutputStream stream) throws IOException;
-
-        static StreamContent of(CharSequence text) {
-            byte[] bytes = text.toString().getBytes(StandardCharsets.UTF_8);
-            return stream -> stream.write(bytes);
-        }
     }
 
     @FunctionalInterface

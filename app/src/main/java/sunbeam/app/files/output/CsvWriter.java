@@ -53,13 +53,12 @@ public final class CsvWriter {
     }
 
     /** Returns a table of numbers, row by row from 0. The names have letters, digits, {@code _ . -} and blanks only. */
-    public static AtomicFile.StreamContent numbers(List<String> names, int rows, IntFunction<double[]> row) {
+    public static StreamContent numbers(List<String> names, int rows, IntFunction<double[]> row) {
         return numbers(names, Set.of(), rows, row);
     }
 
     /** Returns a table of numbers, those of some columns as integers. */
-    public static AtomicFile.StreamContent numbers(
-            List<String> names, Set<String> integers, int rows, IntFunction<double[]> row) {
+    public static StreamContent numbers(List<String> names, Set<String> integers, int rows, IntFunction<double[]> row) {
         return stream -> {
             Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.UTF_8));
             writer.write(String.join(",", names) + "\n");

@@ -38,7 +38,7 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     }
 
     /** Writes contents by ending, of all or some files. Throws OutputException if one cannot be written; then none appears. */
-    public List<Path> write(Map<String, AtomicFile.StreamContent> contents) {
+    public List<Path> write(Map<String, StreamContent> contents) {
         Map<String, AtomicFile> files = new LinkedHashMap<>();
         try {
             contents.forEach((ending, content) -> {

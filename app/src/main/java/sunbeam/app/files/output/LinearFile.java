@@ -12,7 +12,7 @@ public final class LinearFile {
     private LinearFile() {}
 
     /** Returns {@code height x width x 3} CIE XYZ, NaN without surface, for {@code .npy}; linear Rec. 709 with alpha for {@code .exr}. */
-    public static AtomicFile.StreamContent of(Path file, float[] xyz, int width, int height) {
+    public static StreamContent of(Path file, float[] xyz, int width, int height) {
         return Ending.of(file).equals("exr")
                 ? stream -> ExrFile.ofFloats(width, height, rgba(xyz), COMMENTS).write(stream)
                 : stream -> NpyWriter.write(stream, xyz, height, width, 3);

@@ -2,9 +2,9 @@ package sunbeam.app.files.plot;
 
 import java.nio.file.Path;
 import java.util.Map;
-import sunbeam.app.files.output.AtomicFile.StreamContent;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Text;
 

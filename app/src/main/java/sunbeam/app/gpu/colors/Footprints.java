@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.colortable.TileGrid;
-import sunbeam.precompute.colortable.TileGrid.TableSpace;
 import sunbeam.precompute.errors.Comparison;
 
 /**

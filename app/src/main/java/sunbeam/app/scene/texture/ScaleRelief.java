@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.files.cache.BlobCache;
-import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.scene.texture.BodyColors.SnakeHead;
 
 /**

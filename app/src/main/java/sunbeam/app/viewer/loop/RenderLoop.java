@@ -16,7 +16,6 @@ import java.util.function.Supplier;
 import sunbeam.app.failure.Failure;
 import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.viewer.loop.Stage.ViewState;
 
 /**
  * Render thread: shows the newest state at once, then, when nothing moves, refines the picture to that of {@code render}

@@ -7,34 +7,13 @@ import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import jrtr.Tile;
 import sunbeam.app.render.Pick;
-import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 
 /** Renderer of viewer states in several qualities, driven by {@link RenderLoop}. Used by the render thread only. */
 public interface Stage extends AutoCloseable {
-    /**
-     * Description of the picture that the window shows, by the scene's own method or by the comparison method.
-     *
-     * @param metering number of times that the user had the exposure metered anew
-     */
-    record ViewState(LoadedScene scene, int metering, int width, int height, boolean isOther) {
-        public SceneData firstPart() {
-            return scene.firstPart();
-        }
-
-        @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
-        public boolean showsThePictureOf(ViewState other) {
-            return isOther == other.isOther
-                    && firstPart() == other.firstPart()
-                    && metering == other.metering
-                    && width == other.width
-                    && height == other.height;
-        }
-    }
 
     /**
      * Description of the BRDF map beside the picture.

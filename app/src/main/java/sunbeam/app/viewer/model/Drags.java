@@ -7,8 +7,8 @@ import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.Viewpoint;
 
 /** Geometry of mouse drags and wheel turns that move model, light or camera. */
 public final class Drags {

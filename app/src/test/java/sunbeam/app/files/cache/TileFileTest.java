@@ -14,10 +14,10 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.NumberFormat;
-import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
+import sunbeam.precompute.plan.TableLabel;
 
 final class TileFileTest {
     private static final TableLabel LABEL = new TableLabel("bläze", "table: 3 levels");

@@ -191,8 +191,8 @@ final class AtomicFileTest {
 
     private static final List<String> ENDINGS = List.of(".png", ".csv", ".json");
 
-    private static Map<String, AtomicFile.StreamContent> contents(String text) {
-        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
+    private static Map<String, StreamContent> contents(String text) {
+        Map<String, StreamContent> contents = new LinkedHashMap<>();
         ENDINGS.forEach(ending -> contents.put(ending, stream -> stream.write(text.getBytes(StandardCharsets.UTF_8))));
         return contents;
     }
@@ -219,7 +219,7 @@ final class AtomicFileTest {
     @Test
     void noFileAppearsIfOneMayNotBeReplaced() throws IOException {
         FileGroup group = group(Overwrite.REFUSE);
-        Map<String, AtomicFile.StreamContent> contents = contents("new");
+        Map<String, StreamContent> contents = contents("new");
         // Another program creates a file while the last one is written.
         contents.put(".json", stream -> Files.writeString(folder.resolve("blaze.csv"), "somebody's"));
 

@@ -20,8 +20,8 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.RadialBaker;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.colortable.ValidatedTable;
@@ -32,16 +32,17 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.MethodUse;
 import sunbeam.precompute.plan.ShaderTables;
-import sunbeam.precompute.plan.ShaderTables.MethodUse;
-import sunbeam.precompute.plan.ShaderTablesFile.TableLabel;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableArray;
+import sunbeam.precompute.plan.TableLabel;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.work.Progress;
@@ -136,8 +137,8 @@ class DiffractionSetupTest {
 
     @Test
     void aMapUsesCachedTilesOfAllLights() {
-        GaussianArea area = new GaussianArea(
-                CoherenceWindow.ofCoherenceLength(4e-6), CoherenceWindow.WindowOrigin.CENTRE, Average.ENSEMBLE);
+        GaussianArea area =
+                new GaussianArea(CoherenceWindow.ofCoherenceLength(4e-6), WindowOrigin.CENTRE, Average.ENSEMBLE);
         TableMethod method = new TableMethod(1e-2, area);
         MethodPlan map = method.plan(surface(), VisibleRange.of(Direction.ofDegrees(20, 70)));
         assertThat(oneLight(map)).isEqualTo("1");

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.cli.FileCommand;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.DisplayTransform.Tone;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 

@@ -18,9 +18,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.scene.texture.Body;
-import sunbeam.app.scene.texture.Body.Scales;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;
+import sunbeam.app.scene.texture.Scales;
 
 /** Built-in meshes, the snake among them, the sky that a body leaves visible, and files of meshes with their maps. */
 class BuiltInMeshesTest {

@@ -18,12 +18,11 @@ import sunbeam.app.scene.Scene.Motion;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.viewer.ViewerInAWindow;
-import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.patch.PatchLoader.PatchRequest;
+import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 

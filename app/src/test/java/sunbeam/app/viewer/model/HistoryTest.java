@@ -9,10 +9,10 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.Scene.Viewpoint;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
+import sunbeam.app.scene.Viewpoint;
 import sunbeam.precompute.setting.Choices;
 
 /** Changes of a scene by the mouse, and their undoing. */

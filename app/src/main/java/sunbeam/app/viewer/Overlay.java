@@ -1,0 +1,7 @@
+package sunbeam.app.viewer;
+
+public enum Overlay {
+    CONE,
+    STROKES,
+    MAP
+}

@@ -1,0 +1,24 @@
+package sunbeam.app.viewer.loop;
+
+import sunbeam.app.render.SceneData;
+import sunbeam.app.viewer.model.LoadedScene;
+
+/**
+ * Description of the picture that the window shows, by the scene's own method or by the comparison method.
+ *
+ * @param metering number of times that the user had the exposure metered anew
+ */
+public record ViewState(LoadedScene scene, int metering, int width, int height, boolean isOther) {
+    public SceneData firstPart() {
+        return scene.firstPart();
+    }
+
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
+    public boolean showsThePictureOf(ViewState other) {
+        return isOther == other.isOther
+                && firstPart() == other.firstPart()
+                && metering == other.metering
+                && width == other.width
+                && height == other.height;
+    }
+}
