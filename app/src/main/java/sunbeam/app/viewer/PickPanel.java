@@ -152,7 +152,7 @@ public final class PickPanel extends JPanel {
             setText(text, "");
             color.setVisible(false);
             outdate(false);
-            curve.show(new double[0]);
+            curve.show(PickedLight.Spectrum.NONE);
         }
     }
 }

@@ -7,7 +7,6 @@ import java.awt.datatransfer.StringSelection;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3fc;
@@ -17,11 +16,9 @@ import sunbeam.app.viewer.PickPanel.Readout;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.SpatialFrequency;
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ColorName;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.reference.ExactLight;
 
 /** Inspector of one or two picked points: finds them, keeps them while the scene has the same mesh, and fills their panel. */
 public final class PointInspector {
@@ -181,20 +178,19 @@ public final class PointInspector {
         pick.readout.curve.await(true);
         Direction wi = measured.light(data.scene().light().towards());
         Direction wr = measured.pick().wr();
-        Consumer<double[]> show = powers -> {
+        Consumer<PickedLight.Spectrum> show = spectrum -> {
             if (inputs.equals(pick.requestedInputs)) {
                 pick.displayedInputs = inputs;
-                pick.readout.curve.show(powers);
+                pick.readout.curve.show(spectrum);
             }
         };
         viewer.measuring.run(
                 () -> wi.z() > 0 && wr.z() > 0
-                        ? spectrum(
-                                data,
-                                new DirectionPair(wi, wr),
-                                coarse -> SwingUtilities.invokeLater(() -> show.accept(coarse)),
-                                () -> !inputs.equals(pick.requestedInputs))
-                        : new double[0],
+                        ? PickedLight.of(data.scene(), data.patch(), new DirectionPair(wi, wr))
+                                .spectrum(
+                                        coarse -> SwingUtilities.invokeLater(() -> show.accept(coarse)),
+                                        () -> !inputs.equals(pick.requestedInputs))
+                        : PickedLight.Spectrum.NONE,
                 show,
                 problem -> {
                     if (inputs.equals(pick.requestedInputs)) {
@@ -202,17 +198,6 @@ public final class PointInspector {
                     }
                     viewer.window.status.message(problem);
                 });
-    }
-
-    /** Returns powers relative to a mirror, by direct sums over the heights; see {@link SpectrumPlot#spectrum}. */
-    private static double[] spectrum(
-            SceneData data, DirectionPair pair, Consumer<double[]> coarse, BooleanSupplier outdated) {
-        ExactLight light = data.scene()
-                .method()
-                .seeing(data.patch())
-                .area()
-                .over(data.patch().heights(), CieTable.load());
-        return SpectrumPlot.spectrum(wavelength -> light.power(pair, wavelength), coarse, outdated);
     }
 
     public void copy() {

@@ -12,11 +12,7 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Path2D;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
-import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import javax.swing.JComponent;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
@@ -30,13 +26,11 @@ public final class SpectrumPlot extends JComponent {
     /** Number of wavelengths of a spectrum, in equal steps from 380 to 780 nm. */
     public static final int COUNT = 81;
 
-    /** Every eighth wavelength is computed first. */
-    private static final int COARSE = 8;
-
     private static final double FIRST_WAVELENGTH = 380e-9;
     private static final double RANGE = 400e-9;
     private static final String AWAITED = "Spectrum: being made";
     private static final String REFINED = "each 40 nm, others follow";
+    private static final String MIXED = "its X, Y, Z follow";
     private static final Color OLD = new Color(0x60686f);
     private static final CieTable LIGHT = CieTable.load();
     // Exposure at which the brightest wavelength reaches the screen's maximum.
@@ -54,6 +48,7 @@ public final class SpectrumPlot extends JComponent {
         private final Color color;
         private final BasicStroke stroke;
         private double[] powers = {};
+        private String xyz = "";
         private boolean isOld;
         private boolean isAwaited;
 
@@ -68,15 +63,16 @@ public final class SpectrumPlot extends JComponent {
             repaint();
         }
 
-        /** Shows powers at equal steps of wavelength; an empty array clears the curve. A spectrum of fewer than all is still awaited. */
-        public void show(double[] values) {
-            powers = values.clone();
+        /** Shows a spectrum, which is still awaited if it is partial; an empty one clears the curve. */
+        public void show(PickedLight.Spectrum spectrum) {
+            powers = spectrum.powers().clone();
+            xyz = spectrum.color();
             isOld = false;
-            await(isCoarse());
+            await(powers.length > 0 && xyz.isEmpty());
         }
 
-        private boolean isCoarse() {
-            return powers.length > 0 && powers.length < COUNT;
+        private String awaited() {
+            return powers.length == 0 ? AWAITED : powers.length < COUNT ? REFINED : MIXED;
         }
 
         void setOld(boolean old) {
@@ -111,34 +107,6 @@ public final class SpectrumPlot extends JComponent {
         return FIRST_WAVELENGTH + RANGE * index / (COUNT - 1);
     }
 
-    /**
-     * Evaluates a spectrum, every {@link #COARSE}th wavelength first.
-     *
-     * @param power power at a wavelength in meters
-     * @param coarse receives the powers at those wavelengths
-     * @return powers at all wavelengths, or an empty array once {@code outdated} is true
-     */
-    static double[] spectrum(DoubleUnaryOperator power, Consumer<double[]> coarse, BooleanSupplier outdated) {
-        double[] powers = new double[COUNT];
-        int[] order = IntStream.concat(
-                        IntStream.range(0, COUNT).filter(i -> i % COARSE == 0),
-                        IntStream.range(0, COUNT).filter(i -> i % COARSE != 0))
-                .toArray();
-        int coarseCount = (COUNT - 1) / COARSE + 1;
-        for (int done = 0; done < COUNT; done++) {
-            if (outdated.getAsBoolean()) {
-                return new double[0];
-            }
-            if (done == coarseCount) {
-                coarse.accept(IntStream.range(0, coarseCount)
-                        .mapToDouble(i -> powers[COARSE * i])
-                        .toArray());
-            }
-            powers[order[done]] = power.applyAsDouble(wavelength(order[done]));
-        }
-        return powers;
-    }
-
     /** Returns the linearly interpolated power at a share of the wavelength axis, 0 to 1. */
     private static double at(double[] powers, double share) {
         double at = share * (powers.length - 1);
@@ -153,25 +121,21 @@ public final class SpectrumPlot extends JComponent {
 
     /** Returns colors and powers as text, one wavelength per line; empty if absent or outdated. */
     String numbers() {
-        List<double[]> known = curves.stream()
+        List<Curve> known = curves.stream()
                 .filter(curve -> curve.powers.length == COUNT && !curve.isOld)
-                .map(curve -> curve.powers)
                 .toList();
         if (known.isEmpty()) {
             return "";
         }
         StringBuilder text = new StringBuilder();
-        for (double[] powers : known) {
-            // For the CIE 1931 observer; Y is 1 for a mirror.
-            double[] xyz = LIGHT.times(wavelength -> at(powers, (wavelength - FIRST_WAVELENGTH) / RANGE))
-                    .white();
-            text.append(Text.format("diffracted XYZ, D65  %.6g, %.6g, %.6g\n", xyz[0], xyz[1], xyz[2]));
-        }
+        known.stream()
+                .filter(curve -> !curve.xyz.isEmpty())
+                .forEach(curve -> text.append(curve.xyz).append('\n'));
         text.append("wavelength (nm)").append("\tpower".repeat(known.size()));
-        for (int i = 0; i < known.get(0).length; i++) {
+        for (int i = 0; i < COUNT; i++) {
             text.append(Text.format("\n%.0f", 1e9 * wavelength(i)));
-            for (double[] powers : known) {
-                text.append(Text.format("\t%.6g", powers[i]));
+            for (Curve curve : known) {
+                text.append(Text.format("\t%.6g", curve.powers[i]));
             }
         }
         return text.toString();
@@ -203,14 +167,14 @@ public final class SpectrumPlot extends JComponent {
             graphics.drawString(Text.format("%.2g of a mirror's light", most), 0, 10);
             paintPointed(graphics, bottom);
         }
-        if (curves.stream().anyMatch(curve -> curve.isAwaited)) {
+        curves.stream().filter(curve -> curve.isAwaited).findFirst().ifPresent(curve -> {
             graphics.setFont(getFont().deriveFont(11f));
             FontMetrics metrics = graphics.getFontMetrics();
             graphics.setColor(getForeground());
             int row = most > 0 ? getHeight() - 3 : (bottom + metrics.getAscent()) / 2;
-            String words = curves.stream().anyMatch(Curve::isCoarse) ? REFINED : AWAITED;
+            String words = curve.awaited();
             graphics.drawString(words, (getWidth() - metrics.stringWidth(words)) / 2, row);
-        }
+        });
         graphics.dispose();
     }
 

@@ -11,16 +11,20 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
 import javax.swing.JComponent;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.viewer.MapView.GratingOrders;
+import sunbeam.app.viewer.PickedLight.Spectrum;
 import sunbeam.precompute.analysis.SpatialFrequency;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.plan.GaussianArea;
 
 /** The picture, the labels and orders that are drawn over a map, and the plot of spectra. */
 class ComponentsTest {
@@ -163,35 +167,37 @@ class ComponentsTest {
         assertThat(seen).as("marks").isGreaterThan(6);
     }
 
-    private static final double[] POWERS =
-            IntStream.range(0, SpectrumPlot.COUNT).mapToDouble(i -> i % 3).toArray();
+    private static PickedLight mirror() {
+        HeightMap flat = new HeightMap(4, 4, 1e-6, 1e-6, new double[16]);
+        DirectionPair specular = new DirectionPair(new Direction(0, 0, 1), new Direction(0, 0, 1));
+        CieTable daylight = CieTable.load();
+        return new PickedLight(GaussianArea.STANDARD.over(flat, daylight), daylight, specular);
+    }
 
     @Test
-    void aSpectrumShowsEveryEighthWavelengthFirstAndIsNotCopiedUntilAllAreThere() {
+    void aSpectrumShowsEveryEighthWavelengthFirstAndIsCopiedWithItsColor() {
         SpectrumPlot plot = plot();
-        List<Double> evaluated = new ArrayList<>();
-        double[] all = SpectrumPlot.spectrum(
-                wavelength -> {
-                    evaluated.add(wavelength);
-                    return wavelength;
-                },
-                coarse -> {
-                    assertThat(evaluated).hasSize(11);
-                    assertThat(coarse[0]).isCloseTo(380e-9, within(1e-15));
-                    assertThat(coarse[10]).isCloseTo(780e-9, within(1e-15));
-                    plot.curves.get(0).show(coarse);
-                    assertThat(plot.numbers()).isEmpty();
-                },
-                () -> false);
-        assertThat(evaluated).doesNotHaveDuplicates().hasSize(SpectrumPlot.COUNT);
-        assertThat(all).isSorted();
-        plot.curves.get(0).show(all);
-        assertThat(plot.numbers()).contains("\n780\t");
-        assertThat(SpectrumPlot.spectrum(x -> x, coarse -> {}, () -> true)).isEmpty();
+        List<Integer> partial = new ArrayList<>();
+        Spectrum whole = mirror().spectrum(
+                        spectrum -> {
+                            partial.add(spectrum.powers().length);
+                            plot.curves.get(0).show(spectrum);
+                            assertThat(plot.numbers().isEmpty()).isEqualTo(partial.size() == 1);
+                        },
+                        () -> false);
+        assertThat(partial).containsExactly(11, SpectrumPlot.COUNT);
+        plot.curves.get(0).show(whole);
+        // D65 by CIE 15, whose range of 360 to 830 nm adds nothing to four digits.
+        assertThat(plot.numbers())
+                .contains(
+                        "XYZ, D65, observer", "  0.950", ", 1.00000, 1.08", "\n380\t1.00000\n385\t", "\n780\t1.00000");
+        assertThat(mirror().spectrum(spectrum -> {}, () -> true).powers()).isEmpty();
     }
 
     @Test
     void aSpectrumThatIsBeingMadeIsSaidToComeUntilItIsThereOrFails() {
+        Spectrum spectrum = new Spectrum(
+                IntStream.range(0, SpectrumPlot.COUNT).mapToDouble(i -> i % 3).toArray(), "XYZ");
         SpectrumPlot plot = plot();
         int[] without = painted(plot);
         plot.curves.get(0).await(true);
@@ -200,23 +206,12 @@ class ComponentsTest {
         assertThat(painted(plot)).as("failed").isEqualTo(without);
 
         plot.curves.get(0).await(true);
-        plot.curves.get(0).show(POWERS);
+        plot.curves.get(0).show(spectrum);
         SpectrumPlot other = plot();
-        other.curves.get(0).show(POWERS);
+        other.curves.get(0).show(spectrum);
         assertThat(painted(plot)).as("there").isEqualTo(painted(other));
         plot.curves.get(1).await(true);
         assertThat(painted(plot)).as("a second one beside it").isNotEqualTo(painted(other));
-    }
-
-    @Test
-    void theNumbersOfAMirrorHaveTheColorOfDaylight() {
-        SpectrumPlot plot = new SpectrumPlot();
-        double[] powers = new double[SpectrumPlot.COUNT];
-        Arrays.fill(powers, 1);
-        plot.curves.get(0).show(powers);
-        // D65 by CIE 15, whose range of 360 to 830 nm adds nothing to four digits.
-        assertThat(plot.numbers())
-                .contains("XYZ, D65  0.950", ", 1.00000, 1.08", "\n380\t1.00000\n385\t", "\n780\t1.00000");
     }
 
     private static SpectrumPlot plot() {

@@ -188,6 +188,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     private void assertTheNumbersAreCopied(String text) throws Exception {
+        awaitOnEvents(() -> viewer.window.pick.numbers().contains("diffracted XYZ"));
         BufferedImage before = screen(viewer.window.status);
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
         await(() -> message().startsWith("copied"));

@@ -33,8 +33,13 @@ public record Gain(RefractiveIndex index, double mirror, int exponent) {
 
     /** Returns an order's share of a mirror's light per |F|^2, without reflectance: (1 + wi.wr)^2 / (w^2 cos theta_i cos theta_r). */
     public static double orderShare(DirectionPair pair) {
-        double kirchhoff = (1 + pair.wi().dot(pair.wr())) / pair.w();
-        return kirchhoff * kirchhoff / (pair.cosThetaI() * pair.cosThetaR());
+        return squareOfKirchhoff(pair.cosThetaD(), pair.w()) / (pair.cosThetaI() * pair.cosThetaR());
+    }
+
+    /** Returns (1 + wi.wr)^2 / w^2. */
+    private static double squareOfKirchhoff(double cosThetaD, double w) {
+        double kirchhoff = 2 * cosThetaD * cosThetaD / w;
+        return kirchhoff * kirchhoff;
     }
 
     /** Returns the relative radiance per diffracted power, without reflectance: 1 for a flat mirror seen along the normal. */
@@ -49,17 +54,28 @@ public record Gain(RefractiveIndex index, double mirror, int exponent) {
 
     /** Returns the relative radiance per diffracted power at a wavelength in meters. */
     public double relativeRadiance(DirectionPair pair, double wavelength) {
-        return relativeReflectance(pair, wavelength) * ofGeometry(pair);
+        return relativeReflectance(pair.cosThetaD(), wavelength) * ofGeometry(pair);
     }
 
     /** Returns the BRDF in 1/sr per diffracted power, without the mask, for a wavelength in meters. */
     public double brdf(DirectionPair pair, CoherenceWindow window, double wavelength) {
-        double ratio = window.sigmaMeters() / wavelength;
-        return mirror * relativeReflectance(pair, wavelength) * orderShare(pair) * 4 * Math.PI * ratio * ratio;
+        return brdfTimesCosines(pair.cosThetaD(), pair.w(), window, wavelength) / (pair.cosThetaI() * pair.cosThetaR());
     }
 
-    private double relativeReflectance(DirectionPair pair, double wavelength) {
-        double once = index.reflectance(wavelength, pair.cosThetaD()) / mirror;
+    /** Returns {@link #brdf} times cos theta_i cos theta_r, which (u, v, w) determines; 2 {@code cosThetaD} is its length. */
+    public double brdfTimesCosines(double cosThetaD, double w, CoherenceWindow window, double wavelength) {
+        double ratio = window.sigmaMeters() / wavelength;
+        return mirror
+                * relativeReflectance(cosThetaD, wavelength)
+                * squareOfKirchhoff(cosThetaD, w)
+                * 4
+                * Math.PI
+                * ratio
+                * ratio;
+    }
+
+    private double relativeReflectance(double cosThetaD, double wavelength) {
+        double once = index.reflectance(wavelength, cosThetaD) / mirror;
         return exponent == 2 ? once * once : once;
     }
 }

@@ -144,12 +144,9 @@ record BsdfMaterial(Shape shape, HalfVectors.Density azimuths, List<Slice> slice
             double cosOther = Math.max(0, 2 * half * Math.cos(angle) - Math.cos(theta));
             double depth = Math.cos(theta) + cosOther;
             double length = 2 * Math.max(0, half) * Math.sin(angle);
-            double squared = (length * length + depth * depth) / 4;
+            double cosThetaD = Math.min(1, Math.hypot(length, depth) / 2);
             CoherenceWindow window = bands.get(0).level().area().window();
-            double kirchhoff = 2 * squared * window.sigmaMeters() / depth;
-            double reflectance = Gain.reflectance(Math.min(1, Math.sqrt(squared)));
-            double scale = normalFactor(angle) * bands.get(0).level().scale();
-            double factor = 16 * Math.PI * reflectance * kirchhoff * kirchhoff / scale;
+            double factor = 4 / (normalFactor(angle) * bands.get(0).level().scale());
             double[] nanometers = shape.bands().nanometers();
             double sum = 0;
             for (int b = 0; b < nanometers.length; b += ColorGrid.CHANNELS) {
@@ -157,7 +154,8 @@ record BsdfMaterial(Shape shape, HalfVectors.Density azimuths, List<Slice> slice
                         .xyz(-length * Math.cos(azimuth), -length * Math.sin(azimuth), -depth);
                 for (int c = 0; c < ColorGrid.CHANNELS && b + c < nanometers.length; c++) {
                     double wavelength = nanometers[b + c] * NANOMETER;
-                    double value = factor * shares[b + c] * powers[c] / (wavelength * wavelength);
+                    double unit = Gain.KERATIN.brdfTimesCosines(cosThetaD, -depth, window, wavelength);
+                    double value = factor * shares[b + c] * unit * powers[c];
                     spectra[(b + c) * shape.side() * shape.side() + sample] = (float) value;
                     sum += value;
                 }
