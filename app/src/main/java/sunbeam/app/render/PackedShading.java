@@ -230,10 +230,10 @@ final class PackedShading implements AutoCloseable {
 
     /**
      * Positions of scattered pixels in a compact target. Software renderers shade 4 x 4 pixels at once and give each processor squares of
-     * 64 x 64: full small squares, spread over several large ones, keep all processors busy.
+     * 64 x 64: full small squares, dealt out in turn to several large ones, keep all processors busy.
      *
      * @param count pixels, from 1 to {@link #MOST}
-     * @param columns columns in use: one large square for every 256 pixels, which fill four of its rows, up to all 16 squares
+     * @param columns columns in use: one large square for every two small ones, up to all 16
      * @param rows rows in use, a multiple of 4
      */
     private record Packing(int count, int columns, int rows) {
@@ -248,7 +248,7 @@ final class PackedShading implements AutoCloseable {
         private static final int LARGE = 64;
 
         static Packing of(int count) {
-            int columns = LARGE * Math.min(COLUMNS / LARGE, SceneBlocks.ceilDiv(count, LARGE * SMALL));
+            int columns = LARGE * Math.min(COLUMNS / LARGE, SceneBlocks.ceilDiv(count, 2 * SMALL * SMALL));
             return new Packing(count, columns, SMALL * SceneBlocks.ceilDiv(count, SMALL * columns));
         }
 
@@ -269,7 +269,9 @@ final class PackedShading implements AutoCloseable {
 
         /** Sixteen successive pixels share a small square. */
         private int column(int pixel) {
-            return SMALL * (pixel / (SMALL * SMALL) % (columns / SMALL)) + pixel % SMALL;
+            int inRow = pixel / (SMALL * SMALL) % (columns / SMALL);
+            int largeSquares = columns / LARGE;
+            return LARGE * (inRow % largeSquares) + SMALL * (inRow / largeSquares) + pixel % SMALL;
         }
 
         private int row(int pixel) {
