@@ -50,15 +50,13 @@ public record Certificate(
         /** A CIEDE2000 of 1 is just visible. */
         public static final Limits ANTI_ALIASED = new Limits(0.02, Double.POSITIVE_INFINITY, 1);
 
-        // Relative error for each square of a degree; measured with 0.5 to 5 degrees: 6e-4 d^2.
-        private static final double OF_SQUARE_DEGREE = 1e-3;
-
         /**
-         * Limits of a map of a wide light, radians, on surfaces without sharp orders: its blur has its exact width at 550 nm only, and a
-         * Gaussian profile (docs/scenes.md).
+         * Limits of a map of a wide light: it looks like one of the light's disc, as a scene does, whose footprints blur by the same Gaussian,
+         * of the right width at 550 nm only. Sharp orders miss them (docs/scenes.md).
          */
-        public static Limits ofLamp(double tolerance, double diameter) {
-            return of(tolerance + OF_SQUARE_DEGREE * Math.pow(Math.toDegrees(diameter), 2));
+        public static Limits ofLamp(double tolerance) {
+            return new Limits(
+                    Math.max(tolerance, ANTI_ALIASED.median), Double.POSITIVE_INFINITY, ANTI_ALIASED.meanDifference);
         }
 
         /** Limits of a tolerance: the median may reach it, the 95th percentile three times it. */
@@ -203,8 +201,8 @@ public record Certificate(
     }
 
     /**
-     * Compares pixels that the mesh fills with the mean of many points; at edges only the number of samples decides. A surface with relief
-     * finer than a pixel has many slopes at each point, so its pixels are compared with fewer points first.
+     * Compares pixels that the mesh fills with the mean of many points; at edges only the number of samples decides. Where relief is finer
+     * than a pixel, or an environment shines, each point is a mean over many slopes or lights: pixels are compared with fewer first.
      */
     public record SceneCertifier(int width, int height, PixelSamples samples) {
         /** Points along a pixel's side; 256 in all. */
@@ -229,7 +227,7 @@ public record Certificate(
                     compare(drawn, scene, exact, points, pixel, exposure).ifPresent(compared::add);
                 }
             }
-            String fewer = points.slopeDeviation() > 0
+            String fewer = first(points) < POINTS
                     ? Text.format(
                             " (of %d if these differ by less than %.0f %%)",
                             FEW_POINTS * FEW_POINTS, 100 * Limits.ANTI_ALIASED.median())
@@ -240,10 +238,15 @@ public record Certificate(
             return ofPixels(places, compared, exposure, Limits.ANTI_ALIASED);
         }
 
+        /** Returns the first number of points along a side: few where each is a mean over slopes or lights itself. */
+        private static int first(Scene points) {
+            return points.slopeDeviation() > 0 || points.hasEnvironment() ? FEW_POINTS : POINTS;
+        }
+
         /** Returns empty if the mesh does not fill the pixel. */
         private Optional<Comparison> compare(
                 PartSum drawn, Scene scene, PartSum exact, Scene points, Tile pixel, double exposure) {
-            int first = points.slopeDeviation() > 0 ? FEW_POINTS : POINTS;
+            int first = first(points);
             Optional<double[]> mean = mean(exact, points, pixel, first);
             if (mean.isEmpty()) {
                 return Optional.empty();

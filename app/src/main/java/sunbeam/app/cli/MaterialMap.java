@@ -165,14 +165,18 @@ final class MaterialMap {
     /** Returns the plan in words; the tolerance holds for each point of a lamp only. */
     String summary() {
         double degrees = Math.rint(1e4 * Math.toDegrees(choices.get(ANGULAR_DIAMETER, 0.0))) * 1e-4;
-        String words = "; a light %s degrees wide errs by %.2g %% in the median, and more beside sharp orders, which it"
-                + " draws as Gaussians (--certify)";
+        String words = "; a light %s degrees wide is blurred by a Gaussian, which looks like its disc but beside sharp"
+                + " orders: median error %.2g %%, mean CIEDE2000 %.2g at most (--certify)";
+        Limits most = limits();
         return plan().summary()
-                + (isWide() ? Text.format(words, Decimals.format(degrees), 100 * limits().median()) : "");
+                + (isWide()
+                        ? Text.format(words, Decimals.format(degrees), 100 * most.median(), most.meanDifference())
+                        : "");
     }
 
     private Limits limits() {
-        return Limits.ofLamp(choices.get(TOLERANCE), choices.get(ANGULAR_DIAMETER, 0.0));
+        double tolerance = choices.get(TOLERANCE);
+        return isWide() ? Limits.ofLamp(tolerance) : Limits.of(tolerance);
     }
 
     /** Compares random pixels with the reference, of a lamp with its mean over an even disc; the material must have no dispersion. */

@@ -13,7 +13,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import jrtr.gl.RenderContext;
@@ -27,6 +30,7 @@ import sunbeam.app.files.input.PngText;
 import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.colors.DiffractionSetup;
+import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.numerics.Quantiles;
@@ -35,6 +39,7 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Text;
 
 /** Exposure, annotation and light of maps. */
 @NeedsDisplay
@@ -223,6 +228,39 @@ class BrdfMapCommandTest extends CommandLineFixture {
         }
     }
 
+    /** Of a rough surface. The lamp widens its orders by a twentieth, by which a point's map is too sharp. */
+    @Test
+    void aMapOfAPointMissesTheCertificateOfALamp() throws IOException {
+        SplittableRandom random = new SplittableRandom(4);
+        int side = 64;
+        List<String> rows = IntStream.range(0, side)
+                .mapToObj(row -> random.doubles(side, 0, 60)
+                        .mapToObj(height -> Text.format("%.2f", height))
+                        .collect(Collectors.joining(" ")))
+                .toList();
+        String rough = Files.write(folder.resolve("rough.txt"), rows).toString();
+        DiffractionSetup setup = setup(rough, "--width", "4um", "--height", "4um", "--height-unit", "nm");
+        Choices choices = Choices.none().with(AVERAGE, Average.ENSEMBLE).with(COHERENCE_LENGTH, 4e-6);
+        MaterialMap point = new MaterialMap(setup, choices, RefractiveIndex.KERATIN, aside(0, 0));
+        MaterialMap lamp = new MaterialMap(
+                setup, choices.with(ANGULAR_DIAMETER, Math.toRadians(5)), RefractiveIndex.KERATIN, aside(0, 0));
+        try (RenderContext context = RenderContext.offscreen()) {
+            LinearPicture drawn = lamp.draw(context, SIZE).picture();
+            double exposure = LinearPicture.exposure(drawn);
+            Certificate kept = lamp.certify(drawn, 8, exposure);
+            Certificate missed = lamp.certify(point.draw(context, SIZE).picture(), 8, exposure);
+            assertThat(kept.missed()).as(kept.summary()).isFalse();
+            assertThat(missed.missed()).as(missed.summary()).isTrue();
+        }
+    }
+
+    private DiffractionSetup setup(String... patch) {
+        return new DiffractionSetup(
+                CommandLine.populateCommand(new PatchOptions(), patch).load(Choices.none()),
+                new Environment(Map.of(), folder),
+                line -> {});
+    }
+
     private static double error(float[] map, double[] mean) {
         double brightest = Arrays.stream(mean).filter(Double::isFinite).max().orElseThrow();
         IntStream lit = IntStream.range(0, mean.length).filter(c -> mean[c] > 0.01 * brightest);
@@ -230,11 +268,7 @@ class BrdfMapCommandTest extends CommandLineFixture {
     }
 
     private float[] draw(RenderContext context, Choices choices, Direction light) {
-        DiffractionSetup setup = new DiffractionSetup(
-                CommandLine.populateCommand(new PatchOptions(), "blaze").load(Choices.none()),
-                new Environment(Map.of(), folder),
-                line -> {});
-        return new MaterialMap(setup, choices, RefractiveIndex.KERATIN, light)
+        return new MaterialMap(setup("blaze"), choices, RefractiveIndex.KERATIN, light)
                 .draw(context, SIZE)
                 .picture()
                 .xyz();
