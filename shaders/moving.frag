@@ -86,6 +86,7 @@ void main() {
             visible *= quadVisibility(0, worldAt(gl_FragCoord.xy), skin.frame[2], coverage * wi.z > 0.0);
         }
         vec3 xyz = blended(visible * diffracted, albedo, visible * wi.z, NORMAL_REFLECTANCE, ambient);
+        xyz += visible * lightGloss(wi, wr, skin.sky) * (LINEAR_SRGB_TO_XYZ * vec3(1.0));
         sum += LINEAR_SRGB_TO_XYZ * (lightRadiances[light] * (XYZ_TO_LINEAR_SRGB * xyz));
     }
     color = vec4(srgbCurveByRoots(displayLight(sum)), 1.0);

@@ -35,6 +35,20 @@ vec3 glossXyz(mat3 frame, vec3 wr, float seen) {
     return glossShare(wr, seen) * skyXyz(frame * vec3(-wr.xy, wr.z));
 }
 
+// Slope variance of the gloss.
+const float GLOSS_VARIANCE = 0.0036;
+
+// Mirror image of a light in a glossy skin, by microfacets of normally distributed slopes (Cook and Torrance 1982), relative to a white
+// surface that faces the light; 0 under an environment, which skyXyz shows, and without a sky, where skin is matt.
+float lightGloss(vec3 wi, vec3 wr, float seen) {
+    vec3 sum = wi + wr;
+    float isGlossy = skyWeight > 0.0 && min(wi.z, wr.z) > 0.0 ? 1.0 - isEnvironment : 0.0;
+    float cosine = max(sum.z * inversesqrt(dot(sum, sum)), 0.1);
+    float square = 1.0 / (cosine * cosine);
+    float density = exp(0.5 * (1.0 - square) / GLOSS_VARIANCE) * square * square / (8.0 * GLOSS_VARIANCE);
+    return isGlossy * glossShare(vec3(wr.xy, 0.5 * length(sum)), seen) * density / max(wr.z, 0.2);
+}
+
 // Share of the body's light that is left: what gloss mirrors under an environment does not reach the body.
 float belowGloss(vec3 wr, float seen) {
     return 1.0 - isEnvironment * glossShare(wr, seen);

@@ -27,8 +27,8 @@ public interface BodyColors {
 
     /** Sunbeam snake (Xenopeltis unicolor): nearly black brown, so that only diffraction colors it, with a pale belly and lips. */
     final class Xenopeltis implements BodyColors {
-        private static final Vector3dc BACK = ofSrgb(0x33231b);
-        private static final Vector3dc FLANK = ofSrgb(0x4a3429);
+        private static final Vector3dc BACK = ofSrgb(0x1c1619);
+        private static final Vector3dc FLANK = ofSrgb(0x2e2523);
         private static final Vector3dc BELLY = ofSrgb(0xcdbfa8);
 
         private final SnakeHead head = new SnakeHead(ofSrgb(0x3a2a1c));

@@ -54,7 +54,7 @@ public record BodyTexture(int width, int height, byte[] rgba) {
 
     private static BodyTexture load(String name, Supplier<BodyColors> colors, BlobCache cache) {
         return new BodyTexture(
-                COLUMNS, ROWS, cache.get("texture " + name, 4 * COLUMNS * ROWS, () -> paint(colors.get())));
+                COLUMNS, ROWS, cache.get("colors of " + name, 4 * COLUMNS * ROWS, () -> paint(colors.get())));
     }
 
     private static byte[] paint(BodyColors colors) {

@@ -54,6 +54,7 @@ void main() {
             }
             float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
             vec3 xyz = blended(visible * diffracted, albedo, visible * wi.z, reflectance, ambient);
+            xyz += visible * lightGloss(wi, wr, seen) * (LINEAR_SRGB_TO_XYZ * vec3(1.0));
             sum += lightTexel(light, LIGHT_COLOR).rgb * (XYZ_TO_LINEAR_SRGB * xyz);
         }
     }
