@@ -9,7 +9,9 @@ uniform sampler2D bodyTexture;
 // Number of the object's first patch, from 1 (sunbeam.app.render.SceneData).
 uniform float firstPatch;
 
-// Unit vector towards the viewer, tangent frame; w is the patch's number, 0 where nothing is drawn.
+const float BARE = 0.5;
+
+// Unit vector towards the viewer, tangent frame; w is the patch's number, plus BARE without nanostructure; 0 where nothing is drawn.
 layout(location = 0) out vec4 view;
 // Unit normal with the relief, world space; w is the tangent frame's handedness, 1 or -1.
 layout(location = 1) out vec4 normal;
@@ -21,9 +23,10 @@ layout(location = 3) out vec4 albedo;
 // worldTangent.w: its sign is the tangent frame's handedness, its magnitude the visible share of the sky.
 void main() {
     vec4 relief = reliefTexel();
+    vec4 body = texture(bodyTexture, surfaceCoordinate);
     mat3 frame = tangentFrameAbout(reliefNormal(relief.xy), patchTurn());
-    view = vec4(viewDirection(frame), firstPatch + patchHere());
+    view = vec4(viewDirection(frame), firstPatch + patchHere() + (body.a < 0.5 ? BARE : 0.0));
     normal = vec4(frame[2], frameHandedness());
     tangent = vec4(frame[0], min(abs(worldTangent.w), 1.0));
-    albedo = vec4(skinAlbedo(relief, texture(bodyTexture, surfaceCoordinate).rgb), 1.0);
+    albedo = vec4(skinAlbedo(relief, body.rgb), 1.0);
 }

@@ -74,7 +74,7 @@ void main() {
         vec3 du = inside(dFdx(uvw), coverageChange.x);
         vec3 dv = inside(dFdy(uvw), coverageChange.y);
         vec3 diffracted = vec3(0.0);
-        if (wi.z > 0.0 && wr.z > 0.0) {
+        if (skin.hasPatch && wi.z > 0.0 && wr.z > 0.0) {
             ReliefMean mean = reliefMean(wi, wr, tabulatedSlopeVariance + slopeVariance);
             Footprint footprint = footprintOf(mean.uvw, du, dv, wi, lightVariances[light], vec3(0.0), 0.0);
             vec3 made = usableLevels > 0.0 ? residentXyz(footprint) : vec3(MISSING);

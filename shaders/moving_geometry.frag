@@ -15,6 +15,9 @@ layout(location = 0) out vec4 surface;
 
 void main() {
     vec4 relief = reliefTexel();
-    vec3 albedo = skinAlbedo(relief, texelAt(bodyTexture, surfaceCoordinate).rgb);
+    vec4 body = texelAt(bodyTexture, surfaceCoordinate);
+    vec3 albedo = skinAlbedo(relief, body.rgb);
     surface = packedSkin(reliefNormal(relief.xy), worldTangent, patchTurn(), albedo, abs(worldTangent.w));
+    // Without nanostructure.
+    surface.w *= body.a < 0.5 ? -1.0 : 1.0;
 }

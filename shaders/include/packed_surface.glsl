@@ -9,6 +9,8 @@ struct Skin {
     vec3 albedo;
     // Visible share of the sky, quantized.
     float sky;
+    // False where the skin has no nanostructure, whose texels have a negative w.
+    bool hasPatch;
 };
 
 // Steps of a texture channel, even in the channel's square root, which makes them about as fine as steps of sRGB.
@@ -43,7 +45,7 @@ Plane someBasis(vec3 normal) {
 
 // All four floats are 0 where a pixel shows no skin.
 bool showsSkin(vec4 texel) {
-    return texel.w > 0.0;
+    return texel.w != 0.0;
 }
 
 // normal: of any length; tangent: of any length, need not be orthogonal to the normal, and has the sign of the frame's handedness in w;
@@ -72,7 +74,8 @@ Skin unpackedSkin(vec4 texel) {
     vec3 along = place.x * plane.first + place.y * plane.second;
     vec3 tangent = along * inversesqrt(dot(along, along));
     normal *= inversesqrt(dot(normal, normal));
-    vec3 shifted = floor((texel.w - 1.0) * vec3(1.0, 1.0 / 256.0, 1.0 / 65536.0));
+    vec3 shifted = floor((abs(texel.w) - 1.0) * vec3(1.0, 1.0 / 256.0, 1.0 / 65536.0));
     vec3 root = (shifted - 256.0 * vec3(shifted.yz, 0.0)) / ALBEDO_STEPS;
-    return Skin(mat3(tangent, signOf(texel.z) * cross(normal, tangent), normal), root * root, share / SKY_STEPS);
+    mat3 frame = mat3(tangent, signOf(texel.z) * cross(normal, tangent), normal);
+    return Skin(frame, root * root, share / SKY_STEPS, texel.w > 0.0);
 }

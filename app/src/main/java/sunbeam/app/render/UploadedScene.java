@@ -35,7 +35,6 @@ import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.SkyVisibility;
-import sunbeam.app.scene.mesh.SnakeBody;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;
@@ -246,10 +245,8 @@ final class UploadedScene implements AutoCloseable {
 
         static Map<String, Float> scales(Body body) {
             boolean hasScales = body.scales() != Scales.NONE;
-            double scalesPerUnit =
-                    hasScales ? SnakeBody.scalesPerUnit(body.scales().rows()) : 0;
             return Map.of(
-                    "reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG),
+                    "reliefPerUnit", (float) (body.scales().perUnit() / ScaleRelief.SCALES_ALONG),
                     "reliefBegin", (float) (hasScales ? ScaleRelief.BEGIN : 0),
                     "reliefSteepest", (float) (hasScales ? ScaleRelief.STEEPEST : 0),
                     "reliefLightest", (float) ScaleRelief.LIGHTEST);

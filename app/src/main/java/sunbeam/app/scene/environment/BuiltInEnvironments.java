@@ -180,7 +180,7 @@ final class BuiltInEnvironments {
     }
 
     private static double smooth(double at) {
-        double t = Math.max(0, Math.min(1, (at - 0.7) / 0.6));
+        double t = Math.max(0, Math.min(1, (at - 0.2) / 1.4));
         return t * t * (3 - 2 * t);
     }
 

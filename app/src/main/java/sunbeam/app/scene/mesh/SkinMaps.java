@@ -37,8 +37,7 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
         boolean isSmooth = body.scales() == Scales.NONE;
         Supplier<BufferedImage> picture = () -> new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         SkinMaps maps = new SkinMaps(picture.get(), isSmooth ? Optional.empty() : Optional.of(picture.get()));
-        double reliefsPerU =
-                isSmooth ? 0 : SnakeBody.scalesPerUnit(body.scales().rows()) / ScaleRelief.SCALES_ALONG;
+        double reliefsPerU = body.scales().perUnit() / ScaleRelief.SCALES_ALONG;
         IntStream.range(0, height).parallel().forEach(row -> {
             int[] albedo = new int[width];
             int[] normals = new int[width];

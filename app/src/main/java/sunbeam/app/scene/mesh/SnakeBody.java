@@ -6,7 +6,6 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import sunbeam.app.scene.texture.BodyColors.SnakeHead;
-import sunbeam.app.scene.texture.ScaleRelief;
 
 /**
  * Body of the built-in snake: outline, center line, skin, and scales' positions. The parameter is the place along the body, 0 snout to 1
@@ -18,8 +17,6 @@ public final class SnakeBody {
     static final double RADIUS = 0.013;
     // Place where the head ends.
     static final double NECK = 0.045;
-    // Approximate, meters.
-    private static final double LENGTH = 1.1;
 
     // Squared half width over the place, in RADIUS^2; the snout is round.
     private static final Curve SQUARED_HEAD = new Curve(
@@ -142,8 +139,8 @@ public final class SnakeBody {
         double along = (place - EYE) / 0.0028;
         double across = side / Math.toRadians(17);
         double square = along * along + across * across;
-        // A flat dome with a steep rim.
-        return 0.13 * Math.exp(-square * square);
+        // A flat dome with a steep rim, in a shallow socket.
+        return 0.1 * Math.exp(-square * square) - 0.03 * Math.exp(-square / 3);
     }
 
     static Mesh.Builder.Point frame(double place, double angle) {
@@ -166,13 +163,6 @@ public final class SnakeBody {
         double[] scales = Spine.OF_SNAKE.scales;
         double length = scales[below] + (at - below) * (scales[below + 1] - scales[below]);
         return BEGIN + (1 - BEGIN) * length / scales[SAMPLES];
-    }
-
-    public static double scalesPerUnit(int rows) {
-        // The girth of the elliptic cross-section is about 5.8 half widths.
-        double row = 5.8 * ScaleRelief.DORSAL / rows;
-        double body = (1 - NECK) * LENGTH / RADIUS;
-        return Spine.OF_SNAKE.scales[SAMPLES] * body / (row * ScaleRelief.LENGTH) / (1 - BEGIN);
     }
 
     /** Monotone function through points (Fritsch and Butland 1984), of zero slope at both ends, constant beyond. */

@@ -74,9 +74,7 @@ public interface BodyColors {
 
         @Override
         public Vector3dc at(double along, double around) {
-            return along < ScaleRelief.BEGIN
-                    ? head(along / ScaleRelief.BEGIN, around)
-                    : body((along - ScaleRelief.BEGIN) / (1 - ScaleRelief.BEGIN), around);
+            return along < ScaleRelief.BEGIN ? head(along / ScaleRelief.BEGIN, around) : body(along, around);
         }
 
         private Vector3dc head(double along, double around) {
@@ -90,13 +88,18 @@ public interface BodyColors {
             return head.at(along, side, marked.mul(grained, new Vector3d()));
         }
 
-        private Vector3dc body(double along, double around) {
+        /** Each scale has the markings of its middle. */
+        private Vector3dc body(double u, double around) {
+            double[] scale = ScaleRelief.middleOfScale(Scales.KEELED, u, around);
+            double middle = Math.max(0, (scale[0] - ScaleRelief.BEGIN) / (1 - ScaleRelief.BEGIN));
+            double middleSide = Math.abs(scale[1]);
+            double along = (u - ScaleRelief.BEGIN) / (1 - ScaleRelief.BEGIN);
             double side = Math.abs(around);
             double mottled = 0.1 * mottle.at(along, around);
             Vector3dc ground = GROUND.lerp(FLANK, step(0.25, 0.7, side + mottled), new Vector3d());
-            double wobble = 0.11 * outline.at(along, around);
-            double saddle = depth(along * SADDLES, 0.36, side, 0.42, saddleSizes);
-            double blotch = depth(along * SADDLES + 0.5, 0.24, side - 0.56, 0.13, blotchSizes);
+            double wobble = 0.11 * outline.at(middle, scale[1]);
+            double saddle = depth(middle * SADDLES, 0.36, middleSide, 0.42, saddleSizes);
+            double blotch = depth(middle * SADDLES + 0.5, 0.24, middleSide - 0.56, 0.13, blotchSizes);
             Vector3dc marked = mark(mark(ground, saddle + wobble), blotch + wobble);
             Vector3dc skin = marked.mul(1 + 0.13 * grain.at(along, around) + mottled, new Vector3d());
             double share = step(BELLY_BEGIN - 0.02, BELLY_BEGIN + 0.04, side);
@@ -190,6 +193,9 @@ public interface BodyColors {
         // Half sizes, as shares of the head's length and half girth.
         private static final double EYE_LENGTH = 0.058;
         private static final double EYE_HEIGHT = 0.086;
+        private static final double NOSTRIL_ALONG = 0.075;
+        private static final double NOSTRIL_AROUND = 0.33;
+        private static final double NOSTRIL_SIZE = 0.016;
         private static final Vector3dc PUPIL = ofSrgb(0x060505);
         // Across the top, snout 0 to neck 1; the frontal shield lies between the third and the fourth.
         private static final double[] SEAMS = {0.09, 0.17, 0.29, 0.5, 0.76};
@@ -204,19 +210,38 @@ public interface BodyColors {
         // Line of the mouth and width of each lip; top 0, bottom 1.
         private static final double MOUTH = 0.62;
         private static final double LIP_WIDTH = 0.1;
+        private static final double MOUTH_WIDTH = 0.013;
+        // Groove around the eye, in radii of the eye.
+        private static final double SOCKET = 1.1;
+        private static final double SOCKET_WIDTH = 0.2;
+        // In lengths of the head.
+        static final double HALF_GIRTH = 0.5;
 
         /** Returns the color: {@code along} from snout 0 to neck 1, {@code side} from top 0 to bottom 1. */
         Vector3dc at(double along, double side, Vector3dc skin) {
             Vector3d color = skin.mul(1 - (1 - DARKEST_SEAM) * seam(along, side, 1), new Vector3d());
-            double mouth =
-                    line(side - MOUTH + 0.07 * (along - 0.4) * (along - 0.4), 0.013) * (1 - step(0.6, 0.7, along));
+            double mouth = line(side - mouth(along), MOUTH_WIDTH) * (1 - step(0.6, 0.7, along));
             color.lerp(PUPIL, 0.85 * mouth);
-            double x = (along - EYE_ALONG) / EYE_LENGTH;
-            double y = (side - EYE_AROUND) / EYE_HEIGHT;
-            double eye = Math.sqrt(x * x + y * y);
+            color.lerp(PUPIL, 1 - step(0.6, 1.2, nostril(along, side)));
+            double eye = eye(along, side);
             color.lerp(PUPIL, 1 - step(1, 1.25, eye));
-            color.lerp(iris, step(0.6, 0.68, eye) * (1 - step(0.82, 0.95, eye)));
+            color.lerp(iris, step(0.5, 0.58, eye) * (1 - step(0.82, 0.95, eye)));
             return color;
+        }
+
+        /** Distance from the middle of the eye, 1 on its edge. */
+        private static double eye(double along, double side) {
+            return Math.hypot((along - EYE_ALONG) / EYE_LENGTH, (side - EYE_AROUND) / EYE_HEIGHT);
+        }
+
+        /** Distance from the middle of the nostril, 1 on its edge. */
+        private static double nostril(double along, double side) {
+            return Math.hypot(along - NOSTRIL_ALONG, HALF_GIRTH * (side - NOSTRIL_AROUND)) / NOSTRIL_SIZE;
+        }
+
+        /** True on the eye, whose spectacle is smooth; at u, and at an angle from the middle of the back over pi. */
+        static boolean isEye(double u, double around) {
+            return u < ScaleRelief.BEGIN && eye(u / ScaleRelief.BEGIN, Math.abs(around)) < 1;
         }
 
         /**
@@ -227,7 +252,20 @@ public interface BodyColors {
          */
         static double height(double along, double around) {
             double side = Math.abs(around);
-            return -GROOVE_DEPTH * seam(along, side, 2.2) - ROUNDING * seam(along, side, 6);
+            double eye = eye(along, side) - SOCKET;
+            double socket = Math.exp(-eye * eye / (SOCKET_WIDTH * SOCKET_WIDTH));
+            double lips = line(side - mouth(along), 3 * MOUTH_WIDTH) * (1 - step(0.6, 0.7, along));
+            return -GROOVE_DEPTH
+                            * (seam(along, side, 2.2)
+                                    + 2 * socket
+                                    + lips
+                                    + 3 * (1 - step(0.4, 1.6, nostril(along, side))))
+                    - ROUNDING * seam(along, side, 6);
+        }
+
+        /** Place around the head of the line between the lips. */
+        private static double mouth(double along) {
+            return MOUTH - 0.07 * (along - 0.4) * (along - 0.4);
         }
 
         private static double seam(double along, double side, double widening) {

@@ -14,19 +14,22 @@ import java.util.stream.IntStream;
 import org.joml.Vector3dc;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.input.ImageFile;
+import sunbeam.app.scene.texture.BodyColors.SnakeHead;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.files.InputException;
 
 /**
  * Picture for a mesh, sRGB, which repeats: left edge u = 0, bottom v = 0.
  *
- * @param rgba {@code 4 * width * height} bytes, red first, row 0 on top; shared
+ * @param rgba {@code 4 * width * height} bytes, red first, row 0 on top; shared. Where colors are transparent there is no nanostructure
  */
 public record BodyTexture(int width, int height, byte[] rgba) {
     /** Neutral dark body, on which diffraction shows. */
     public static final String DARK = "dark";
 
     private static final int COLUMNS = 4096;
+    // For colors that differ from scale to scale.
+    private static final int FINE_COLUMNS = 8192;
     private static final int ROWS = 512;
     // Limit of common OpenGL 3.3 drivers.
     private static final int LARGEST_SIDE = 8192;
@@ -40,8 +43,8 @@ public record BodyTexture(int width, int height, byte[] rgba) {
     /** Loads a built-in texture or a picture; throws InputException if there is none, or the file cannot be used. */
     public static BodyTexture load(String nameOrFile, BlobCache cache) {
         return switch (nameOrFile) {
-            case "elaphe" -> load(nameOrFile, BodyColors.Elaphe::new, cache);
-            case "xenopeltis" -> load(nameOrFile, BodyColors.Xenopeltis::new, cache);
+            case "elaphe" -> load(nameOrFile, FINE_COLUMNS, BodyColors.Elaphe::new, cache);
+            case "xenopeltis" -> load(nameOrFile, COLUMNS, BodyColors.Xenopeltis::new, cache);
             case DARK -> ofTexel(0x30, 0x30, 0x32, 255);
             case Body.NONE -> ofTexel(255, 255, 255, 255);
             default -> read("texture", Path.of(nameOrFile), ", or one of " + String.join(", ", names()));
@@ -52,20 +55,40 @@ public record BodyTexture(int width, int height, byte[] rgba) {
         return names().contains(name) && !name.equals(Body.NONE) && !name.equals(DARK);
     }
 
-    private static BodyTexture load(String name, Supplier<BodyColors> colors, BlobCache cache) {
+    private static BodyTexture load(String name, int columns, Supplier<BodyColors> colors, BlobCache cache) {
         return new BodyTexture(
-                COLUMNS, ROWS, cache.get("colors of " + name, 4 * COLUMNS * ROWS, () -> paint(colors.get())));
+                columns, ROWS, cache.get("colors of " + name, 4 * columns * ROWS, () -> paint(columns, colors.get())));
     }
 
-    private static byte[] paint(BodyColors colors) {
-        return opaque(COLUMNS, IntStream.range(0, ROWS).parallel(), ROWS, (column, row) -> {
-            Vector3dc color = colors.at((column + 0.5) / COLUMNS, 1 - 2 * (row + 0.5) / ROWS);
-            return Srgb.channel(color.x()) << 16 | Srgb.channel(color.y()) << 8 | Srgb.channel(color.z());
-        });
+    private static byte[] paint(int columns, BodyColors colors) {
+        byte[] rgba = new byte[4 * columns * ROWS];
+        CornerMeans.paint(
+                columns,
+                ROWS,
+                (column, row) -> {
+                    Vector3dc color = colors.at((double) column / columns, 1 - 2.0 * row / ROWS);
+                    return new double[] {color.x(), color.y(), color.z()};
+                },
+                (column, row, mean) -> {
+                    int at = 4 * (row * columns + column);
+                    for (int c = 0; c < 3; c++) {
+                        rgba[at + c] = (byte) Srgb.channel(mean[c]);
+                    }
+                    double along = (column + 0.5) / columns;
+                    rgba[at + 3] = (byte) (SnakeHead.isEye(along, 1 - 2 * (row + 0.5) / ROWS) ? 0 : 255);
+                });
+        return rgba;
     }
 
     static BodyTexture ofTexel(int red, int green, int blue, int alpha) {
         return new BodyTexture(1, 1, new byte[] {(byte) red, (byte) green, (byte) blue, (byte) alpha});
+    }
+
+    public BodyTexture opaque() {
+        return new BodyTexture(
+                width,
+                height,
+                opaque(width, IntStream.range(0, height), height, (column, row) -> color(row * width + column)));
     }
 
     /** Returns opaque texels of colors 0xRRGGBB by column and row. */

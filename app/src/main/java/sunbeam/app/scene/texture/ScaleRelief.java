@@ -44,8 +44,6 @@ public final class ScaleRelief {
     private static final double KEEL = 0.5;
     // Rows with pale rims above the lowest row, which is pale.
     private static final int PALE_RIMS = 2;
-    // In lengths of the head.
-    private static final double HALF_GIRTH = 0.5;
     // Random variation of slopes, and of lightness relative to 1.
     private static final double SLOPE_VARIATION = 0.02;
     private static final double LIGHTNESS_VARIATION = 0.09;
@@ -58,7 +56,6 @@ public final class ScaleRelief {
     // Step of derivatives, in lengths of a scale and widths of a row.
     private static final double STEP = 1e-3;
     private static final int FIRST_ROW = 64;
-    private static final int POINTS_PER_AXIS = 2;
 
     private final Scales scales;
     // Row 0 is the middle of the back.
@@ -81,14 +78,22 @@ public final class ScaleRelief {
 
     private byte[] texels() {
         byte[] rgba = new byte[4 * TEXELS * (TEXELS + HEAD_ROWS)];
-        IntStream.range(0, TEXELS + HEAD_ROWS).parallel().forEach(row -> {
+        CornerMeans.paint(
+                TEXELS,
+                TEXELS,
+                (column, row) -> point(
+                        (double) SCALES_ALONG * column / TEXELS,
+                        (1 - 2.0 * row / TEXELS) * scales.rows() / (2 * DORSAL)),
+                (column, row, mean) -> {
+                    int at = 4 * (row * TEXELS + column);
+                    rgba[at] = slope(mean[0], noise(2 * at));
+                    rgba[at + 1] = slope(mean[1], noise(2 * at + 1));
+                    rgba[at + 2] = code(mean[3]);
+                    rgba[at + 3] = code(mean[2] / LIGHTEST);
+                });
+        IntStream.range(0, HEAD_ROWS).parallel().forEach(row -> {
             for (int column = 0; column < TEXELS; column++) {
-                int at = 4 * (row * TEXELS + column);
-                if (row < TEXELS) {
-                    texel(column, row, rgba, at);
-                } else {
-                    headTexel(column, row - TEXELS, rgba, at);
-                }
+                headTexel(column, row, rgba, 4 * ((TEXELS + row) * TEXELS + column));
             }
         });
         return rgba;
@@ -100,7 +105,7 @@ public final class ScaleRelief {
         double ahead = SnakeHead.height(along + STEP, around) - SnakeHead.height(along - STEP, around);
         double beside = SnakeHead.height(along, around + STEP) - SnakeHead.height(along, around - STEP);
         rgba[at] = slope(ahead / (2 * STEP), noise(2 * at));
-        rgba[at + 1] = slope(beside / (2 * STEP * HALF_GIRTH), noise(2 * at + 1));
+        rgba[at + 1] = slope(beside / (2 * STEP * SnakeHead.HALF_GIRTH), noise(2 * at + 1));
         rgba[at + 3] = code(1 / LIGHTEST);
     }
 
@@ -114,48 +119,33 @@ public final class ScaleRelief {
      */
     private record Plate(int number, double along, double beside, double edge, boolean isShield) {}
 
-    private void texel(int column, int row, byte[] rgba, int at) {
-        double[] sum = new double[4];
-        for (int i = 0; i < POINTS_PER_AXIS; i++) {
-            double around = 1 - 2 * (row + (i + 0.5) / POINTS_PER_AXIS) / TEXELS;
-            for (int j = 0; j < POINTS_PER_AXIS; j++) {
-                double along = SCALES_ALONG * (column + (j + 0.5) / POINTS_PER_AXIS) / TEXELS;
-                addPoint(along, around * scales.rows() / (2 * DORSAL), sum);
-            }
-        }
-        double share = 1.0 / (POINTS_PER_AXIS * POINTS_PER_AXIS);
-        rgba[at] = slope(share * sum[0], noise(2 * at));
-        rgba[at + 1] = slope(share * sum[1], noise(2 * at + 1));
-        rgba[at + 2] = code(share * sum[3]);
-        rgba[at + 3] = code(share * sum[2] / LIGHTEST);
+    /**
+     * Returns the middle of the scale that is seen at a place, in the same coordinates; the place itself on the belly.
+     *
+     * @param along texture coordinate u
+     * @param around angle from the middle of the back over pi
+     */
+    static double[] middleOfScale(Scales scales, double along, double around) {
+        double rowsPerTurn = scales.rows() / (2 * DORSAL);
+        double x = along * scales.perUnit();
+        double y = around * rowsPerTurn;
+        Plate top = new ScaleRelief(scales).plates(x, y).get(0);
+        return top.isShield
+                ? new double[] {along, around}
+                : new double[] {(x - top.along) / scales.perUnit(), (y - HALF_WIDTH * top.beside) / rowsPerTurn};
     }
 
     /**
-     * Adds slopes along u and v, lightness and pale pigment.
+     * Returns slopes along u and v, lightness and pale pigment.
      *
      * @param x along the body, in lengths of a scale
      * @param y around the body from the middle of the back, in widths of a row
      */
-    private void addPoint(double x, double y, double[] sum) {
-        Plate top = null;
-        List<Plate> others = new ArrayList<>();
-        for (int row = floor(y - 1.5); row <= y + 1.5; row++) {
-            double offset = 0.5 * (row & 1);
-            int first = -floor(-(x - offset - 1));
-            for (int scale = first; Math.abs(row) <= outermostRow && scale <= x - offset + FRONT_LENGTH; scale++) {
-                Plate plate = scale(row, scale, x - offset - scale, (y - row) / HALF_WIDTH);
-                if (plate.edge >= 1 && plate.edge < SHADED_EDGE && plate.along >= 0) {
-                    others.add(plate);
-                } else if (plate.edge < 1 && (top == null || plate.along > top.along)) {
-                    top = plate;
-                }
-            }
-        }
-        if (top == null) {
-            top = shield(x, y);
-        }
+    private double[] point(double x, double y) {
+        List<Plate> plates = plates(x, y);
+        Plate top = plates.get(0);
         double covered = 0;
-        for (Plate plate : others) {
+        for (Plate plate : plates.subList(1, plates.size())) {
             if (top.isShield || plate.along > top.along) {
                 double near = (SHADED_EDGE - plate.edge) / (SHADED_EDGE - 1);
                 covered = Math.max(covered, near * near * near);
@@ -170,10 +160,27 @@ public final class ScaleRelief {
         double lightness = (1 + LIGHTNESS_VARIATION * noise(3 * top.number + 2))
                 * (1 - 0.72 * covered)
                 * (1.06 - 0.42 * rim * rim);
-        sum[0] += slopeAlong + unevenAlong;
-        sum[1] += slopeAround + unevenAround;
-        sum[2] += lightness;
-        sum[3] += pale(top);
+        return new double[] {slopeAlong + unevenAlong, slopeAround + unevenAround, lightness, pale(top)};
+    }
+
+    /** Returns the plate that is seen at a point, then those that end near it. */
+    private List<Plate> plates(double x, double y) {
+        Plate top = null;
+        List<Plate> all = new ArrayList<>();
+        for (int row = floor(y - 1.5); row <= y + 1.5; row++) {
+            double offset = 0.5 * (row & 1);
+            int first = -floor(-(x - offset - 1));
+            for (int scale = first; Math.abs(row) <= outermostRow && scale <= x - offset + FRONT_LENGTH; scale++) {
+                Plate plate = scale(row, scale, x - offset - scale, (y - row) / HALF_WIDTH);
+                if (plate.edge >= 1 && plate.edge < SHADED_EDGE && plate.along >= 0) {
+                    all.add(plate);
+                } else if (plate.edge < 1 && (top == null || plate.along > top.along)) {
+                    top = plate;
+                }
+            }
+        }
+        all.add(0, top == null ? shield(x, y) : top);
+        return all;
     }
 
     private static int floor(double value) {

@@ -8,6 +8,9 @@ public enum Scales {
     /** A rat snake's: narrower, keeled on the back. */
     KEELED(21, 0.03);
 
+    // Of the snake's body (SnakeBody), whose scales are as long as they are broad in the middle as at the tail.
+    private static final double PER_UNIT_AND_ROW = 15.3;
+
     private final int rows;
     private final double keel;
 
@@ -19,6 +22,11 @@ public enum Scales {
     /** Around the body, without the belly's shields. */
     public int rows() {
         return rows;
+    }
+
+    /** Along a unit of u behind the head: such that a scale of the snake's body is {@link ScaleRelief#LENGTH} widths of a row long. */
+    public double perUnit() {
+        return PER_UNIT_AND_ROW * rows;
     }
 
     /** In widths of a row. */
