@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
@@ -50,8 +51,14 @@ public final class AnimationOptions {
     @Option(
             names = "--frame-rate",
             paramLabel = "HERTZ",
-            description = "Frames per second of animation.gif, 0.1 to 50. Default: 12.")
+            description = "Frames per second of the animation, 0.1 to 50. Default: 12.")
     private Double frameRate;
+
+    @Option(
+            names = "--film",
+            paramLabel = "FORMAT",
+            description = "Also write animation.FORMAT by the program ffmpeg: ${COMPLETION-CANDIDATES}.")
+    private Film film;
 
     /** Equally spaced angles, radians. */
     public record Sweep(double from, double to) {
@@ -96,6 +103,7 @@ public final class AnimationOptions {
                 lightSweep != null && turntable != null,
                 "--light-sweep and --turntable contradict each other; leave one out");
         UsageException.throwIf(!isGiven() && frameRate != null, "--frame-rate needs --light-sweep or --turntable");
+        UsageException.throwIf(!isGiven() && film != null, "--film needs --light-sweep or --turntable");
         UsageException.throwIf(
                 frames != null && lightSweep == null,
                 "--frames " + frames + " needs --light-sweep, whose frames it counts"
@@ -104,6 +112,10 @@ public final class AnimationOptions {
         UsageException.throwIf(
                 !(frameRate() >= 0.1 && frameRate() <= 50),
                 "--frame-rate " + frameRate + " is out of range; give 0.1 to 50");
+    }
+
+    Optional<Film> film() {
+        return Optional.ofNullable(film);
     }
 
     private int frames() {

@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -223,6 +224,7 @@ public final class RenderCommand extends FileCommand {
             UsageException.requireWithin("--supersample", supersample, 1, PixelSamples.MOST);
         }
         animation.check();
+        animation.film().ifPresent(Film::requireProgram);
         if (!animation.isGiven()) {
             Ending.PNG.require("--output", output);
         }
@@ -253,6 +255,7 @@ public final class RenderCommand extends FileCommand {
             OutputFolder.check(target);
             if (mayExist() && Files.isDirectory(target)) {
                 AtomicFile.checkWritable(target.resolve(GIF), unlessResumed());
+                animation.film().ifPresent(film -> AtomicFile.checkWritable(film.in(target), unlessResumed()));
             }
         }
         if (mayExist() && overwrite() == Overwrite.REFUSE) {
@@ -298,6 +301,11 @@ public final class RenderCommand extends FileCommand {
         // A film of the folder would also show the last frames of a longer animation that this one replaces.
         pictures(folder).skip(scenes.size()).forEach(file -> file.toFile().delete());
         GifAnimation.write(gif, unlessResumed(), pictures, animation.frameRate());
-        return List.of(folder, gif);
+        List<Path> written = new ArrayList<>(List.of(folder, gif));
+        animation.film().ifPresent(film -> {
+            film.write(film.in(folder), unlessResumed(), folder, scenes.size(), animation.frameRate());
+            written.add(film.in(folder));
+        });
+        return written;
     }
 }

@@ -20,7 +20,7 @@ public final class BuiltInMeshes {
             case "sphere" -> sphere(0.1, 96, 48);
             case "ellipsoid" -> ellipsoid(0.1, 0.065, 0.045, 96, 48);
             case "cylinder" -> cylinder(0.1, 0.2, 96, 24);
-            case "disc" -> disc(256, 16);
+            case "disc" -> disc(256);
             default -> throw new IllegalArgumentException(name);
         };
     }
@@ -64,26 +64,39 @@ public final class BuiltInMeshes {
         return revolution(columns, rows, false, v -> new Profile(radius, v * height, 1, 0));
     }
 
-    /** Generates the ring of a compact disc (radii of 20 and 59 mm) with round edges; u along the tracks, v inwards. */
-    private static Mesh disc(int columns, int rows) {
-        double edge = 1.2e-3;
-        return revolution(columns, rows, false, v -> {
-            // Each edge takes a quarter of v, the flat side the rest.
-            double flat = Math.min(1, Math.max(0, 2 * v - 0.5));
-            double turn = Math.PI * (0.5 - 2 * (v - flat / 2));
-            double outward = Math.sin(turn);
-            double upward = Math.cos(turn);
-            double middle = 0.059 - edge - (0.039 - 2 * edge) * flat;
-            return new Profile(middle + edge * outward, edge * upward, outward, upward);
-        });
+    /**
+     * Generates the opaque parts of a compact disc of 12 cm: the ring with tracks, from a radius of 23 mm on, the stacking ring in the clear
+     * hub, and the edge of the hole of 15 mm. u runs along the tracks, v inwards.
+     */
+    private static Mesh disc(int columns) {
+        Mesh.Builder disc = new Mesh.Builder();
+        disc.grid(columns, 16, 0, 0.9, round(v -> ring(0.059, 0.023, 1.2e-3, v / 0.9)));
+        disc.grid(columns, 6, 0.9, 0.95, round(v -> ring(0.0177, 0.0167, 5e-4, (v - 0.9) / 0.05)));
+        disc.grid(columns, 6, 0.95, 1, round(v -> ring(0.0081, 0.0075, 3e-4, (v - 0.95) / 0.05)));
+        return disc.build(false);
+    }
+
+    /** Upper side of a flat ring with round edges, from its outer (v = 0) to its inner radius (v = 1). */
+    private static Profile ring(double outer, double inner, double edge, double v) {
+        // Each edge takes a quarter of v, the flat side the rest.
+        double flat = Math.min(1, Math.max(0, 2 * v - 0.5));
+        double turn = Math.PI * (0.5 - 2 * (v - flat / 2));
+        double outward = Math.sin(turn);
+        double upward = Math.cos(turn);
+        double middle = outer - edge - (outer - inner - 2 * edge) * flat;
+        return new Profile(middle + edge * outward, edge * upward, outward, upward);
     }
 
     /** Point in meters, and its unit normal away from the axis and along it. */
     private record Profile(double radius, double height, double outward, double upward) {}
 
-    /** Turns a profile over v about the z axis; u turns counter-clockwise. */
     private static Mesh revolution(int columns, int rows, boolean closed, DoubleFunction<Profile> profile) {
-        return Mesh.Builder.grid(columns, rows, closed, (u, v) -> {
+        return Mesh.Builder.grid(columns, rows, closed, round(profile));
+    }
+
+    /** Turns a profile over v about the z axis; u turns counter-clockwise. */
+    private static Mesh.Builder.Surface round(DoubleFunction<Profile> profile) {
+        return (u, v) -> {
             // Both sides of the seam have bitwise equal points.
             double angle = u == 1 ? 0 : 2 * Math.PI * u;
             double cos = Math.cos(angle);
@@ -92,7 +105,7 @@ public final class BuiltInMeshes {
             Vector3d place = new Vector3d(at.radius * cos, at.radius * sin, at.height);
             Vector3d normal = new Vector3d(at.outward * cos, at.outward * sin, at.upward);
             return new Mesh.Builder.Point(place, normal, new Vector3d(-sin, cos, 0));
-        });
+        };
     }
 
     /**

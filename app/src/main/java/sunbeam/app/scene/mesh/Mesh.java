@@ -136,16 +136,23 @@ public record Mesh(
             Point at(double u, double v);
         }
 
-        /** Samples a surface. A cell with an edge of length 0 gets one triangle. */
+        /** Samples a surface over all v. */
         static Mesh grid(int columns, int rows, boolean closed, Surface surface) {
             Builder mesh = new Builder();
+            mesh.grid(columns, rows, 0, 1, surface);
+            return mesh.build(closed);
+        }
+
+        /** Adds a part of a surface, from one v to another. A cell with an edge of length 0 gets one triangle. */
+        void grid(int columns, int rows, double from, double to, Surface surface) {
             Vector3dc[] places = new Vector3dc[(rows + 1) * (columns + 1)];
+            int first = positions.size() / 3;
             for (int row = 0; row <= rows; row++) {
                 for (int column = 0; column <= columns; column++) {
                     double u = (double) column / columns;
-                    double v = (double) row / rows;
+                    double v = from + (to - from) * row / rows;
                     Point point = surface.at(u, v);
-                    places[mesh.vertex(point, u, v)] = point.position();
+                    places[vertex(point, u, v) - first] = point.position();
                 }
             }
             for (int row = 0; row < rows; row++) {
@@ -153,14 +160,13 @@ public record Mesh(
                     int below = row * (columns + 1) + column;
                     int above = below + columns + 1;
                     if (places[below].distanceSquared(places[below + 1]) > 0) {
-                        mesh.triangle(below, below + 1, above + 1);
+                        triangle(first + below, first + below + 1, first + above + 1);
                     }
                     if (places[above].distanceSquared(places[above + 1]) > 0) {
-                        mesh.triangle(below, above + 1, above);
+                        triangle(first + below, first + above + 1, first + above);
                     }
                 }
             }
-            return mesh.build(closed);
         }
 
         Mesh build(boolean closed) {

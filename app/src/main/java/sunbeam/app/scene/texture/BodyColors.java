@@ -214,6 +214,8 @@ public interface BodyColors {
         // Groove around the eye, in radii of the eye.
         private static final double SOCKET = 1.1;
         private static final double SOCKET_WIDTH = 0.2;
+        // Height of the eye's dome in lengths of the head, over that of the mesh.
+        private static final double CORNEA = 0.011;
         // In lengths of the head.
         static final double HALF_GIRTH = 0.5;
 
@@ -252,15 +254,16 @@ public interface BodyColors {
          */
         static double height(double along, double around) {
             double side = Math.abs(around);
-            double eye = eye(along, side) - SOCKET;
-            double socket = Math.exp(-eye * eye / (SOCKET_WIDTH * SOCKET_WIDTH));
+            double eye = eye(along, side);
+            double socket = Math.exp(-Math.pow((eye - SOCKET) / SOCKET_WIDTH, 2));
             double lips = line(side - mouth(along), 3 * MOUTH_WIDTH) * (1 - step(0.6, 0.7, along));
             return -GROOVE_DEPTH
                             * (seam(along, side, 2.2)
                                     + 2 * socket
                                     + lips
                                     + 3 * (1 - step(0.4, 1.6, nostril(along, side))))
-                    - ROUNDING * seam(along, side, 6);
+                    - ROUNDING * seam(along, side, 6)
+                    + CORNEA * Math.max(0, 1 - eye * eye);
         }
 
         /** Place around the head of the line between the lips. */

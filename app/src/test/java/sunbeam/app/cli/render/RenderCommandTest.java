@@ -125,6 +125,33 @@ class RenderCommandTest extends CommandLineFixture {
                 .isNotEqualTo(Files.readAllBytes(frames.resolve("frame-0003.png")));
     }
 
+    /** APNG keeps all colors. Without the program the option names it. */
+    @Test
+    void aFilmHasTheFramesOrTheProgramIsNamed() throws Exception {
+        int code = render("film100%", " --light-sweep -30:30 --frames 2 --film apng");
+        if (code != ExitCode.OK.code()) {
+            assertThat(code).isEqualTo(ExitCode.USAGE.code());
+            assertThat(err.toString()).contains("--film apng needs the program ffmpeg", "or leave --film out");
+            assertThat(folder.resolve("film100%")).doesNotExist();
+            return;
+        }
+        Path frames = folder.resolve("film100%");
+        Process reading = new ProcessBuilder("ffmpeg", "-nostdin", "-i", "animation.apng", "read-%d.png")
+                .directory(frames.toFile())
+                .redirectErrorStream(true)
+                .start();
+        reading.getInputStream().readAllBytes();
+        assertThat(reading.waitFor()).isZero();
+        for (int frame = 1; frame <= 2; frame++) {
+            BufferedImage read =
+                    ImageIO.read(frames.resolve("read-" + frame + ".png").toFile());
+            BufferedImage drawn =
+                    ImageIO.read(frames.resolve("frame-000" + frame + ".png").toFile());
+            assertThat(meanDifference(read, drawn)).as("frame %d", frame).isZero();
+        }
+        assertThat(frames.resolve("read-3.png")).doesNotExist();
+    }
+
     private static double meanDifference(BufferedImage one, BufferedImage other) {
         int[] a = one.getRGB(0, 0, one.getWidth(), one.getHeight(), null, 0, one.getWidth());
         int[] b = other.getRGB(0, 0, other.getWidth(), other.getHeight(), null, 0, other.getWidth());
