@@ -71,8 +71,8 @@ public final class BuiltInMeshes {
     private static Mesh disc(int columns) {
         Mesh.Builder disc = new Mesh.Builder();
         disc.grid(columns, 16, 0, 0.9, round(v -> ring(0.059, 0.023, 1.2e-3, v / 0.9)));
-        disc.grid(columns, 6, 0.9, 0.95, round(v -> ring(0.0177, 0.0167, 5e-4, (v - 0.9) / 0.05)));
-        disc.grid(columns, 6, 0.95, 1, round(v -> ring(0.0081, 0.0075, 3e-4, (v - 0.95) / 0.05)));
+        disc.grid(columns, 16, 0.9, 0.95, round(v -> ring(0.0177, 0.0167, 5e-4, (v - 0.9) / 0.05)));
+        disc.grid(columns, 16, 0.95, 1, round(v -> ring(0.0081, 0.0075, 3e-4, (v - 0.95) / 0.05)));
         return disc.build(false);
     }
 

@@ -136,7 +136,8 @@ class RenderCommandTest extends CommandLineFixture {
             return;
         }
         Path frames = folder.resolve("film100%");
-        Process reading = new ProcessBuilder("ffmpeg", "-nostdin", "-i", "animation.apng", "read-%d.png")
+        Process reading = new ProcessBuilder(
+                        "ffmpeg", "-nostdin", "-i", "animation.apng", "-fps_mode", "passthrough", "read-%d.png")
                 .directory(frames.toFile())
                 .redirectErrorStream(true)
                 .start();

@@ -62,6 +62,21 @@ class BuiltInMeshesTest {
                     .isCloseTo(0, within(1e-6 * radius));
         }
         assertThat(largest).isCloseTo(0.059, within(1e-6));
+        double[] radii = IntStream.range(0, disc.vertices())
+                .mapToObj(vertex -> MeshChecks.position(disc, vertex))
+                .mapToDouble(position -> Math.hypot(position.x, position.y))
+                .toArray();
+        // The hole of 15 mm, and no tracks below 46 mm: there only the stacking ring. Float32.
+        assertThat(Arrays.stream(radii).min()).hasValueCloseTo(0.0075, within(1e-6));
+        assertThat(Arrays.stream(radii).filter(radius -> radius > 0.0182).min()).hasValueCloseTo(0.023, within(1e-6));
+        for (int i = 0; i < disc.indices().length; i += 3) {
+            double[] corners = IntStream.range(i, i + 3)
+                    .mapToDouble(corner -> radii[disc.indices()[corner]])
+                    .toArray();
+            assertThat(Arrays.stream(corners).min().orElseThrow() < 0.0182)
+                    .as("a triangle of the hub ends there")
+                    .isEqualTo(Arrays.stream(corners).max().orElseThrow() < 0.0182);
+        }
     }
 
     private static final Mesh SNAKE = BuiltInMeshes.create("snake");
@@ -76,6 +91,21 @@ class BuiltInMeshesTest {
         // A tenth of a millimeter: less than a pixel of any picture of the whole snake.
         assertThat(SkyVisibility.ground(SNAKE)).isBetween(-1e-4, 1e-4);
         assertThat(SnakeBody.length()).isBetween(1.0, 1.2);
+    }
+
+    /** Scales are {@link ScaleRelief#LENGTH} widths of a row long wherever the body is thick. */
+    @ParameterizedTest
+    @CsvSource({"SMOOTH", "KEELED"})
+    void scalesKeepTheirShapeAlongTheBody(Scales scales) {
+        for (double place : new double[] {0.1, 0.3, 0.5, 0.7}) {
+            double step = 0.01;
+            double units = SnakeBody.u(place + step) - SnakeBody.u(place - step);
+            double length = 2 * step * SnakeBody.length() / (units * scales.perUnit());
+            // The girth of the elliptic cross-section is about 5.8 half widths.
+            double row = 5.8 * SnakeBody.halfWidth(place) * ScaleRelief.DORSAL / scales.rows();
+            // The girth is rounded.
+            assertThat(length / row).as("at %s", place).isCloseTo(ScaleRelief.LENGTH, within(0.06));
+        }
     }
 
     private static final double RADIUS = 0.1;

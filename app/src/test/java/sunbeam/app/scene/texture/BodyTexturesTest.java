@@ -2,6 +2,7 @@ package sunbeam.app.scene.texture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Transparency;
 import java.awt.color.ColorSpace;
@@ -15,13 +16,16 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Random;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.FileImageOutputStream;
+import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.cache.BlobCache;
+import sunbeam.app.scene.texture.BodyColors.SnakeHead;
 import sunbeam.precompute.files.InputException;
 
 /** Textures of bodies, from files and of scales. */
@@ -78,6 +82,44 @@ class BodyTexturesTest {
 
         assertThat(IntStream.range(0, grays.length).map(texture::color))
                 .containsExactly(0, 0xbcbcbc, 0xffffff, 0, 0xffffff, 0);
+    }
+
+    /** Noise varies a color by a quarter; the three colors of the corn snake's back differ by more in some channel. */
+    @Test
+    void aScaleOfTheCornSnakeHasOneColor() {
+        BodyColors.Elaphe snake = new BodyColors.Elaphe();
+        Random random = new Random(5);
+        for (int i = 0; i < 2000; i++) {
+            double along = 0.1 + 0.8 * random.nextDouble();
+            double around = 0.6 * (2 * random.nextDouble() - 1);
+            double[] middle = ScaleRelief.middleOfScale(Body.Scales.KEELED, along, around);
+            // A scale is seen in its own middle.
+            assertThat(ScaleRelief.middleOfScale(Body.Scales.KEELED, middle[0], middle[1]))
+                    .containsExactly(middle, within(1e-9));
+            Vector3dc here = snake.at(along, around);
+            Vector3dc there = snake.at(middle[0], middle[1]);
+            for (int c = 0; c < 3; c++) {
+                assertThat(here.get(c) / there.get(c))
+                        .as("at %s, %s", along, around)
+                        .isBetween(1 / 1.8, 1.8);
+            }
+        }
+    }
+
+    @Test
+    void onlyEyesHaveNoNanostructure() {
+        BodyTexture snake = BodyTexture.load("xenopeltis", BlobCache.NONE);
+        int row = (int) (snake.height() * 0.5 * (1 - SnakeHead.EYE_AROUND));
+        int column = (int) (snake.width() * ScaleRelief.BEGIN * SnakeHead.EYE_ALONG);
+        int bare = 0;
+        for (int texel = 0; texel < snake.width() * snake.height(); texel++) {
+            bare += snake.rgba()[4 * texel + 3] == 0 ? 1 : 0;
+        }
+        for (int eye : new int[] {row, snake.height() - 1 - row}) {
+            assertThat(snake.rgba()[4 * (eye * snake.width() + column) + 3]).isZero();
+        }
+        // Two ellipses on the head.
+        assertThat(bare / (double) (snake.width() * snake.height())).isBetween(1e-4, 3e-3);
     }
 
     @Test
