@@ -92,9 +92,9 @@ class BodyTexturesTest {
         for (int i = 0; i < 2000; i++) {
             double along = 0.1 + 0.8 * random.nextDouble();
             double around = 0.6 * (2 * random.nextDouble() - 1);
-            double[] middle = ScaleRelief.middleOfScale(Body.Scales.KEELED, along, around);
+            double[] middle = ScaleRelief.middleOfScale(Scales.KEELED, along, around);
             // A scale is seen in its own middle.
-            assertThat(ScaleRelief.middleOfScale(Body.Scales.KEELED, middle[0], middle[1]))
+            assertThat(ScaleRelief.middleOfScale(Scales.KEELED, middle[0], middle[1]))
                     .containsExactly(middle, within(1e-9));
             Vector3dc here = snake.at(along, around);
             Vector3dc there = snake.at(middle[0], middle[1]);
