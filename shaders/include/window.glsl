@@ -8,3 +8,8 @@ float windowAmplitude(float distance, float sigma) {
     float ratio = distance / sigma;
     return exp(-0.5 * ratio * ratio);
 }
+
+// Weight of a bin's power at an offset from it; sigma, of the amplitude's spectrum, is in the offset's unit.
+float windowPower(vec2 offset, float sigma) {
+    return exp(-dot(offset, offset) / (sigma * sigma));
+}

@@ -42,7 +42,7 @@ float powerAtStep(Ray ray, int step, float wavelength) {
         return averagePower(ray.uvw, wavelength);
     }
     vec2 off = vec2(ray.distance, (1.0 / wavelength - ray.middle) * length(ray.uvw.xy)) / windowSigmaFrequency;
-    return exp(-dot(off, off)) * binPower(ray.bin - tableFirst, expansionPhase(ray.uvw.z, wavelength));
+    return windowPower(off, 1.0) * binPower(ray.bin - tableFirst, expansionPhase(ray.uvw.z, wavelength));
 }
 
 vec3 oneOrder(vec3 uvw, vec2 bin) {

@@ -73,7 +73,7 @@ vec3 separateOrders(vec3 uvw, float width, float waveNumber) {
         vec2 binFrequency = vec2(bin) / tablePeriod;
         float middle = dot(binFrequency, uvw.xy) / squaredLength;
         vec2 off = binFrequency - middle * uvw.xy;
-        float gauss = exp(-dot(off, off) / (windowSigmaFrequency * windowSigmaFrequency));
+        float gauss = windowPower(off, windowSigmaFrequency);
         float zeta = expansionPhase(uvw.z, orderWavelength(middle));
         xyz += gauss * binPower(bin - tableFirst, zeta) * orderWeight(middle, width);
     }
@@ -129,7 +129,7 @@ float orderPower(vec3 uvw, float wavelength, bool ensemble) {
             vec2 binFrequency = vec2(bin) / tablePeriod;
             vec2 off = uvw.xy / wavelength - binFrequency;
             float zeta = expansionPhase(uvw.z, orderWavelength(dot(binFrequency, uvw.xy) / squaredLength));
-            power += exp(-dot(off, off) / (windowSigmaFrequency * windowSigmaFrequency)) * binPower(bin - tableFirst, zeta);
+            power += windowPower(off, windowSigmaFrequency) * binPower(bin - tableFirst, zeta);
         }
     }
     return power;

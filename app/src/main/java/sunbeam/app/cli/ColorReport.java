@@ -53,18 +53,19 @@ record ColorReport(
      * below and a quarter above. Unlike a width at half maximum, it hardly changes with a single bright grain of speckle.
      */
     record Spectrum(ViewColor.View view, double[] radiances, double from, double to) {
-        private static final int FIRST = 380;
         private static final int STEPS = 400;
         // Evaluations per nanometer: light as coherent as sunlight has orders 4 nm wide.
         private static final int PER_NANOMETER = 4;
 
         static double[] nanometers() {
-            return IntStream.rangeClosed(FIRST, FIRST + STEPS).asDoubleStream().toArray();
+            return IntStream.rangeClosed(CieTable.FIRST_NANOMETER, CieTable.FIRST_NANOMETER + STEPS)
+                    .asDoubleStream()
+                    .toArray();
         }
 
         static double[] fineWavelengths() {
             return IntStream.rangeClosed(0, STEPS * PER_NANOMETER)
-                    .mapToDouble(i -> (FIRST + i / (double) PER_NANOMETER) * 1e-9)
+                    .mapToDouble(i -> (CieTable.FIRST_NANOMETER + i / (double) PER_NANOMETER) * 1e-9)
                     .toArray();
         }
 

@@ -241,7 +241,8 @@ final class ColorSheet {
 
     private Drawing chromaticities() {
         // Closed by the line of purples.
-        List<Chromaticity> locus = IntStream.concat(IntStream.rangeClosed(380, 700), IntStream.of(380))
+        List<Chromaticity> locus = IntStream.concat(
+                        IntStream.rangeClosed(CieTable.FIRST_NANOMETER, 700), IntStream.of(CieTable.FIRST_NANOMETER))
                 .mapToObj(nanometer -> Chromaticity.ofWavelength(cie, nanometer * 1e-9))
                 .toList();
         Plot plot = Plot.linear("Chromaticity" + ofOne(ViewColor.View::strip), "x (CIE 1931)", "y", plotWidth(), (int)

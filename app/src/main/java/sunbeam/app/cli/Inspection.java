@@ -10,6 +10,7 @@ import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
@@ -121,7 +122,7 @@ record Inspection(
         lines.add("patch     " + patch.source());
         patch.channels().forEach(channel -> lines.add("channel   " + channel));
         patch.faults().forEach(fault -> lines.add("fault     " + fault.line()));
-        String fine = "fine enough for light of " + Lengths.format(Plausibility.SHORTEST_WAVELENGTH) + ", which needs "
+        String fine = "fine enough for light of " + Lengths.format(CieTable.MINIMUM_WAVELENGTH) + ", which needs "
                 + Lengths.format(Plausibility.COARSEST_PITCH);
         lines.add("pitch     " + length(map.pitchX()) + " x " + length(map.pitchY()) + ": "
                 + Plausibility.pitch(map).orElse(fine));

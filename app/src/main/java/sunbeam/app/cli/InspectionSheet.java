@@ -16,6 +16,7 @@ import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.text.Text;
@@ -51,7 +52,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
     // Lowest power of the color scale relative to the highest.
     private static final double SPAN = 1e-7;
     // Least range of frequencies that is drawn, 1/m: |(u, v)| = 2 at 780 nm.
-    private static final double LEAST_SHOWN = 2 / 780e-9;
+    private static final double LEAST_SHOWN = 2 / CieTable.MAXIMUM_WAVELENGTH;
     // Least range of frequencies that is drawn, relative to that of the period.
     private static final double SHOWN_PER_PERIOD = 1.5;
 

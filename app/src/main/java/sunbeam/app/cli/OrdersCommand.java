@@ -121,7 +121,7 @@ public final class OrdersCommand extends FileCommand {
 
     private int run(Choices choices) {
         thetas.requireWithin("--theta-i", 0, LARGEST_THETA, "degrees");
-        wavelengths.requireWithin("--wavelengths", 380, 780, "nm");
+        wavelengths.requireWithin("--wavelengths", CieTable.FIRST_NANOMETER, CieTable.LAST_NANOMETER, "nm");
         RefractiveIndex material = index.parse();
         CieTable cie = LightTable.of(choices);
         page.width();

@@ -18,6 +18,7 @@ import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.method.Method;
@@ -48,7 +49,6 @@ final class SurfaceColors {
     // Distance between the directions of a mean, in standard deviations of the window's spectrum at the shortest
     // wavelength: a sum over a Gaussian in such steps errs by 3e-4.
     private static final double STEP = 1.5;
-    private static final double SHORTEST_WAVELENGTH = 380e-9;
     private static final int MOST_DIRECTIONS = 400_000;
     // Range of the purest color, relative to the first orders that verdicts name.
     private static final double WIDENED = 1.05;
@@ -83,8 +83,8 @@ final class SurfaceColors {
             DiffractionSetup setup, Choices choices, RefractiveIndex index, Choices light, double theta, Range angles) {
         window = GaussianArea.of(choices).window();
         angleStep = angles.step();
-        directions =
-                (int) Math.ceil(Math.toRadians(angles.step()) / (STEP * SHORTEST_WAVELENGTH * window.sigmaFrequency()));
+        directions = (int) Math.ceil(
+                Math.toRadians(angles.step()) / (STEP * CieTable.MINIMUM_WAVELENGTH * window.sigmaFrequency()));
         if (2L * directions * angles.count() > MOST_DIRECTIONS) {
             throw new UsageException(Text.format(
                     "--angles: %d angles of %d directions each, as light of a coherence length of %s needs, are too many;"
@@ -189,7 +189,7 @@ final class SurfaceColors {
     }
 
     private static boolean isResolved(double u, double pitch, int samples) {
-        return samples == 1 || 2 * pitch * Math.abs(u) <= SHORTEST_WAVELENGTH;
+        return samples == 1 || 2 * pitch * Math.abs(u) <= CieTable.MINIMUM_WAVELENGTH;
     }
 
     private List<double[]> outsideGloss() {

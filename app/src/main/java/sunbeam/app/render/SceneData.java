@@ -97,9 +97,8 @@ public record SceneData(
     }
 
     /** Compares objects: comparing values would take as long as loading them. */
-    @SuppressWarnings("ReferenceEquality")
     boolean sharesMethod(SceneData other) {
-        return method == other.method;
+        return SceneSharing.isSame(method, other.method);
     }
 
     /**
@@ -119,7 +118,7 @@ public record SceneData(
         static List<ReflectanceComponent> of(RefractiveIndex index, CieTable cie) {
             float[] reflectances = new float[401];
             IntStream.range(0, reflectances.length)
-                    .forEach(i -> reflectances[i] = (float) index.reflectance((380 + i) * 1e-9));
+                    .forEach(i -> reflectances[i] = (float) index.reflectance((CieTable.FIRST_NANOMETER + i) * 1e-9));
             String digest = new Sha256().add(reflectances).hex();
             return ReflectionPart.of(index, cie, 1).stream()
                     .map(part -> new ReflectanceComponent(part, digest))

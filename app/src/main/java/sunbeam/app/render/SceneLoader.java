@@ -143,10 +143,9 @@ public final class SceneLoader {
     /** Input of a part's tables. */
     private record PartInput(Scene look, int region, Patch patch, Optional<ReflectanceComponent> component) {
         /** True if another part has the same tables; patches are compared as objects. */
-        @SuppressWarnings("ReferenceEquality")
         boolean sharesTables(SceneData other) {
             Scene before = other.scene();
-            return other.patch() == patch
+            return SceneSharing.isSame(other.patch(), patch)
                     && before.method().method().equals(look.method().method())
                     && before.method().isThesis() == look.method().isThesis()
                     && before.method().light().equals(look.method().light())

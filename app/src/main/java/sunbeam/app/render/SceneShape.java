@@ -13,6 +13,7 @@ import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.MeshSource;
@@ -104,11 +105,10 @@ public record SceneShape(
     }
 
     /** Compares meshes as objects: comparing triangles would take as long as loading them. */
-    @SuppressWarnings("ReferenceEquality")
     private static boolean sharesPlaces(List<Thing> things, List<Thing> others) {
         boolean isSame = things.size() == others.size();
         for (int i = 0; isSame && i < things.size(); i++) {
-            isSame = things.get(i).mesh == others.get(i).mesh
+            isSame = SceneSharing.isSame(things.get(i).mesh, others.get(i).mesh)
                     && things.get(i).toModel.equals(others.get(i).toModel);
         }
         return isSame;

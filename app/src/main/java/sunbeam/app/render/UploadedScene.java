@@ -31,6 +31,7 @@ import sunbeam.app.render.GeometryBuffer.Layout;
 import sunbeam.app.render.SceneShape.Thing;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.app.scene.mesh.Mesh;
@@ -116,10 +117,9 @@ final class UploadedScene implements AutoCloseable {
     }
 
     /** Uploads what differs; a failure leaves the old scene. */
-    @SuppressWarnings("ReferenceEquality") // comparing triangles and texels would take as long as uploading them
     void upload(Scene scene, SceneShape shape) {
         boolean keepsMeshes = meshes != null
-                && meshes.shape.whole() == shape.whole()
+                && SceneSharing.isSame(meshes.shape.whole(), shape.whole())
                 && (meshes.ground().isPresent() || !scene.occludesSky());
         Meshes nextMeshes = keepsMeshes ? meshes.with(shape) : Meshes.upload(context, scene, shape);
         IdentityHashMap<Body, SkinTextures> all = new IdentityHashMap<>();

@@ -8,21 +8,25 @@ import sunbeam.precompute.setting.Choices;
 public final class SceneSharing {
     private SceneSharing() {}
 
+    /** True for one object, not an equal one: unchanged parts keep their objects, and comparing meshes or texels takes long. */
+    public static boolean isSame(Object part, Object other) {
+        return part == other;
+    }
+
     /** True if another scene needs no other parts: meshes, textures, tables, and looks. */
     public static boolean sharesParts(Scene scene, Scene other) {
         return sharesData(scene, other) && scene.looks().equals(other.looks());
     }
 
     /** True if another scene needs no other meshes, textures or tables. */
-    @SuppressWarnings("ReferenceEquality") // most objects are the same, and comparing the others takes longer
     public static boolean sharesData(Scene scene, Scene other) {
         List<SceneObject> objects = scene.objects();
         return objects.size() == other.objects().size()
                 && scene.method().method().equals(other.method().method())
                 && scene.get(SceneSettings.ENVIRONMENT).equals(other.get(SceneSettings.ENVIRONMENT))
                 && IntStream.range(0, objects.size())
-                        .allMatch(i ->
-                                objects.get(i) == other.objects().get(i) || sharesObject(scene.at(i), other.at(i)));
+                        .allMatch(i -> isSame(objects.get(i), other.objects().get(i))
+                                || sharesObject(scene.at(i), other.at(i)));
     }
 
     private static boolean sharesObject(Scene scene, Scene other) {

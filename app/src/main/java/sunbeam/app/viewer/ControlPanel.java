@@ -21,6 +21,7 @@ import javax.swing.JTextField;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.viewer.SettingRows.NameBox;
@@ -244,9 +245,8 @@ public final class ControlPanel extends JTabbedPane {
     }
 
     /** Marks the patch's caption if there are remarks about it: as tooltip, and by a click as message. */
-    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void followRemarks(LoadedScene loaded) {
-        if (loaded.firstPart().method() == plan) {
+        if (SceneSharing.isSame(loaded.firstPart().method(), plan)) {
             return;
         }
         plan = loaded.firstPart().method();

@@ -8,6 +8,7 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.viewer.MapView.GratingOrders;
 import sunbeam.app.viewer.loop.Stage.MapRequest;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -16,7 +17,6 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 
 /** Presenter of the BRDF map for the picked point, or, if none is picked, for a skin that faces the viewer. On the event thread only. */
-@SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
 final class MapPresenter {
     // Lowest z of the unit vector to the light, about 0.6 degrees above the horizon; below, the radiance vanishes.
     private static final double LOWEST_LIGHT = 0.01;
@@ -61,7 +61,7 @@ final class MapPresenter {
             view.clear("");
         }
         newest = new MapRequest(towards, object, region, patch);
-        boolean isDisplayed = newest.equals(displayed) && part.method() == finalMethod;
+        boolean isDisplayed = newest.equals(displayed) && SceneSharing.isSame(part.method(), finalMethod);
         if (isDisplayed) {
             newest = displayed;
         } else {
@@ -76,7 +76,7 @@ final class MapPresenter {
     /** Requests the final map, or a preview unless the newest map is displayed. */
     void request(boolean isFinal) {
         MapRequest request = newest;
-        if (request != null && (request != displayed || (isFinal && finalMethod == null))) {
+        if (request != null && (!SceneSharing.isSame(request, displayed) || (isFinal && finalMethod == null))) {
             MethodPlan method = viewer.model
                     .loaded()
                     .orElseThrow()
@@ -98,7 +98,7 @@ final class MapPresenter {
             return; // the map of a scan that another has replaced
         }
         displayed = request;
-        finalMethod = request == newest ? method : null;
+        finalMethod = SceneSharing.isSame(request, newest) ? method : null;
         view.show(image, method == null);
         markOrders();
         if (finalMethod != null) {

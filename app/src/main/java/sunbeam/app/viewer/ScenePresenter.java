@@ -13,6 +13,7 @@ import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.ViewState;
@@ -21,7 +22,6 @@ import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.patch.Patch;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
-@SuppressWarnings("ReferenceEquality") // compares requests and parts by identity
 public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Listener {
 
     private final Viewer viewer;
@@ -61,8 +61,8 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     /** Returns the final picture of the newest scene; empty until it is on screen. */
     Optional<RenderLoop.Finished> finished() {
         return Optional.ofNullable(completed)
-                .filter(last ->
-                        last.state() == requested && last.state().firstPart().suits(model.scene()));
+                .filter(last -> SceneSharing.isSame(last.state(), requested)
+                        && last.state().firstPart().suits(model.scene()));
     }
 
     boolean shows(Overlay overlay) {
@@ -94,7 +94,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         viewer.loop.submit(stage -> {
             BufferedImage strokes = stage.strokes(drawn.width(), drawn.height());
             SwingUtilities.invokeLater(() -> {
-                if (drawn == requested && shows(Overlay.STROKES)) {
+                if (SceneSharing.isSame(drawn, requested) && shows(Overlay.STROKES)) {
                     window.picture.showStrokes(Optional.of(strokes));
                 }
             });
@@ -239,7 +239,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             splitView.preview(state, preview);
             return;
         }
-        boolean isNew = state != shown;
+        boolean isNew = !SceneSharing.isSame(state, shown);
         show(state, preview.image());
         if (preview.hasColors()) {
             window.controls.exposureInUse(preview.exposure());
@@ -270,7 +270,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         completed = finished;
         finalPicture.complete(null);
         followFinal();
-        if (state == requested) {
+        if (SceneSharing.isSame(state, requested)) {
             map.request(true);
             window.status.complete(finished.nanoseconds(), picture.lights());
             requestStrokes();
@@ -301,7 +301,9 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
 
     private void show(ViewState state, BufferedImage image) {
         firstPicture.complete(null);
-        if (shown == null || shown.firstPart().method() != state.firstPart().method()) {
+        if (shown == null
+                || !SceneSharing.isSame(
+                        shown.firstPart().method(), state.firstPart().method())) {
             window.status.method(state.firstPart(), renderer);
         }
         shown = state;

@@ -26,7 +26,6 @@ public final class SpectrumPlot extends JComponent {
     /** Number of wavelengths of a spectrum, in equal steps from 380 to 780 nm. */
     public static final int COUNT = 81;
 
-    private static final double FIRST_WAVELENGTH = 380e-9;
     private static final double RANGE = 400e-9;
     private static final String AWAITED = "Spectrum: being made";
     private static final String REFINED = "each 40 nm, others follow";
@@ -104,7 +103,7 @@ public final class SpectrumPlot extends JComponent {
 
     /** Returns a wavelength of spectra in meters. */
     public static double wavelength(int index) {
-        return FIRST_WAVELENGTH + RANGE * index / (COUNT - 1);
+        return CieTable.MINIMUM_WAVELENGTH + RANGE * index / (COUNT - 1);
     }
 
     /** Returns the linearly interpolated power at a share of the wavelength axis, 0 to 1. */
@@ -182,7 +181,7 @@ public final class SpectrumPlot extends JComponent {
         double[] xyz = new double[3];
         for (int x = 0; x < getWidth(); x++) {
             for (int c = 0; c < 3; c++) {
-                xyz[c] = LIGHT.at(FIRST_WAVELENGTH + RANGE * share(x), c);
+                xyz[c] = LIGHT.at(CieTable.MINIMUM_WAVELENGTH + RANGE * share(x), c);
             }
             graphics.setColor(new Color(DISPLAY.rgb(xyz)));
             graphics.fillRect(x, top, 1, STRIP);
@@ -198,7 +197,7 @@ public final class SpectrumPlot extends JComponent {
             return;
         }
         graphics.drawLine(pointed, MARGIN, pointed, bottom);
-        double nanometers = 1e9 * (FIRST_WAVELENGTH + RANGE * share(pointed));
+        double nanometers = 1e9 * (CieTable.MINIMUM_WAVELENGTH + RANGE * share(pointed));
         String words = curves.stream()
                 .filter(curve -> curve.powers.length > 0)
                 .map(curve -> Text.format("%.3g", at(curve.powers, share(pointed))))

@@ -19,7 +19,6 @@ import sunbeam.precompute.text.Text;
  * Presenter of the split view. When the scene's own picture is final, it requests the comparison method's picture with the same exposure; a
  * newer state ends that request. Used on the event thread only.
  */
-@SuppressWarnings("ReferenceEquality") // compares requests and parts by identity
 final class SplitViewPresenter {
     private final Viewer viewer;
     private final ViewerWindow window;
@@ -65,8 +64,9 @@ final class SplitViewPresenter {
 
     private void draw(ViewState shown, Scene scene) {
         if (loaded != null
-                && loaded.firstPart().shape().whole()
-                        == shown.firstPart().shape().whole()
+                && SceneSharing.isSame(
+                        loaded.firstPart().shape().whole(),
+                        shown.firstPart().shape().whole())
                 && loaded.firstPart().suits(scene)) {
             loaded = loaded.with(scene);
             requested = new ViewState(loaded, shown.metering(), shown.width(), shown.height(), true);
@@ -105,7 +105,7 @@ final class SplitViewPresenter {
     }
 
     void preview(ViewState state, Stage.Preview preview) {
-        if (state == requested) {
+        if (SceneSharing.isSame(state, requested)) {
             previewed = System.nanoTime();
             String words = Text.format(
                     "%s, preview%s, final in about %.0f s",
@@ -115,7 +115,7 @@ final class SplitViewPresenter {
     }
 
     void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
-        if (state == requested) {
+        if (SceneSharing.isSame(state, requested)) {
             String done = Text.format(", %.0f %% final", Math.floor(100 * shareDone))
                     + StatusLine.remaining(previewed, shareDone);
             divider.showTile(image, x, y, words(requested) + done);
@@ -123,7 +123,7 @@ final class SplitViewPresenter {
     }
 
     void complete(RenderLoop.Finished finished) {
-        if (finished.state() == requested) {
+        if (SceneSharing.isSame(finished.state(), requested)) {
             divider.show(finished.picture().image(), words(own.state()), words(requested), true);
         }
     }

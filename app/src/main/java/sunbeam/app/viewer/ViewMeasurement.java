@@ -17,6 +17,7 @@ import java.util.concurrent.CountDownLatch;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import sunbeam.app.gpu.picture.PictureDifference;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
@@ -140,10 +141,9 @@ public final class ViewMeasurement {
         requests.add(new Request(state, EventQueue.getMostRecentEventTime()));
     }
 
-    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void shown(ViewState state, double divisor) {
         Toolkit.getDefaultToolkit().sync();
-        if (requests.stream().noneMatch(request -> request.state == state)) {
+        if (requests.stream().noneMatch(request -> SceneSharing.isSame(request.state, state))) {
             return;
         }
         if (!isHeld) {
@@ -155,7 +155,7 @@ public final class ViewMeasurement {
         do {
             request = requests.remove();
             times.add(System.currentTimeMillis() - request.time);
-        } while (request.state != state);
+        } while (!SceneSharing.isSame(request.state, state));
         if (System.nanoTime() > start) {
             latencies.addAll(times);
             divisors.add(divisor);

@@ -115,9 +115,8 @@ public final class ViewerWindow extends JFrame {
         getGraphicsConfiguration().getDevice().setFullScreenWindow(isFullScreen() ? null : this);
     }
 
-    @SuppressWarnings("ReferenceEquality") // windows have no equality of their own
     public boolean isFullScreen() {
-        return getGraphicsConfiguration().getDevice().getFullScreenWindow() == this;
+        return equals(getGraphicsConfiguration().getDevice().getFullScreenWindow());
     }
 
     /** Panel beside the picture that scrolls vertically if it needs more height, never horizontally. */

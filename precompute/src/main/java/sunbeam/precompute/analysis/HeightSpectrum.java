@@ -9,8 +9,8 @@ import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.util.ArithmeticUtils;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.Plausibility;
 import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.BandTransform2d;
@@ -25,7 +25,7 @@ import sunbeam.precompute.spectrum.BandTransform2d;
  */
 public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power, double total) {
     /** Meters; half the shortest wavelength, for light and viewer at grazing angles. */
-    static final double SHORTEST_PERIOD = Plausibility.SHORTEST_WAVELENGTH / 2;
+    static final double SHORTEST_PERIOD = CieTable.MINIMUM_WAVELENGTH / 2;
     // Samples; larger padded ones would take gigabytes.
     private static final int MOST_PADDED = 1 << 22;
 

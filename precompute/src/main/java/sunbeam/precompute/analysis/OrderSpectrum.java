@@ -2,6 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.function.Consumer;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
@@ -211,7 +212,7 @@ public final class OrderSpectrum {
             double sine = Math.sin(alpha);
             Direction out = new Direction(bin.outX * sine / radius, bin.outY * sine / radius, Math.cos(alpha));
             double off = (sine - radius) / blur;
-            double weight = 0.5 * NODES.weights()[i] * (high - low) * Math.exp(-off * off) * Math.cos(alpha);
+            double weight = 0.5 * NODES.weights()[i] * (high - low) * CoherenceWindow.power(off) * Math.cos(alpha);
             sum += weight * power(normal, bin, wavelength, new DirectionPair(wi, out));
         }
         return sum / (Math.sqrt(Math.PI) * blur);

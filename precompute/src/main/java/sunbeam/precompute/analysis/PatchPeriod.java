@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import sunbeam.precompute.analysis.HeightSpectrum.RepeatedPeriod;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.prepare.ScanFault;
@@ -15,7 +16,7 @@ record PatchPeriod(HeightMap scan, Hypothesis asked) {
     // Share of unmeasured rows; a crop may lose half of the scan.
     private static final double FEW_UNMEASURED = 0.02;
     // Meters: half of sunlight's coherence length. A larger patch may hold enough lines.
-    private static final double LARGEST_REPEATED = 32.5e-6;
+    private static final double LARGEST_REPEATED = CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / 2;
     // Three periods of four samples.
     private static final int FEWEST_SAMPLES = 12;
     // Meters; three of the shortest periods with colors under light from above.

@@ -4,7 +4,6 @@ package sunbeam.precompute.color;
 public record Chromaticity(double x, double y) {
     // Ends of the locus in nm; beyond, it moves by less than the table's rounding.
     private static final int RED_END = 700;
-    private static final int BLUE_END = 380;
     // Below this distance from white rounding would decide the hue.
     private static final double NO_HUE = 1e-3;
 
@@ -46,7 +45,7 @@ public record Chromaticity(double x, double y) {
 
     /** Returns the blue end of the locus in nm, or of the light's wavelengths, without which a table has no chromaticity. */
     private static int firstLit(CieTable cie) {
-        return Math.max(BLUE_END, (int) Math.rint(1e9 * cie.shortestWavelength()) + 1);
+        return Math.max(CieTable.FIRST_NANOMETER, (int) Math.rint(1e9 * cie.shortestWavelength()) + 1);
     }
 
     private static int lastLit(CieTable cie) {

@@ -22,10 +22,12 @@ import sunbeam.precompute.files.Sha256;
  * @param isSmooth whether the light's spectrum is as smooth as daylight, unlike lines of lamps and lasers
  */
 public record CieTable(double[][] weighted, double integralOfY, String description, boolean isSmooth) {
-    /** Ends of the visible band, meters. */
-    public static final double MINIMUM_WAVELENGTH = 380e-9;
+    /** Ends of the visible band, nanometers and meters. */
+    public static final int FIRST_NANOMETER = 380;
 
-    public static final double MAXIMUM_WAVELENGTH = 780e-9;
+    public static final int LAST_NANOMETER = 780;
+    public static final double MINIMUM_WAVELENGTH = FIRST_NANOMETER / 1e9;
+    public static final double MAXIMUM_WAVELENGTH = LAST_NANOMETER / 1e9;
     /** Width of the band in 1 / lambda, 1 / meters. */
     public static final double BAND_WIDTH = 1 / MINIMUM_WAVELENGTH - 1 / MAXIMUM_WAVELENGTH;
 

@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 /** Relative spectral power of a light at each nanometer from 380 to 780 nm, at least 0, linear between; in any scale. */
 public record Illuminant(String name, double[] power) {
     /** Index of the value at 780 nm. */
-    public static final int LAST = 400;
+    public static final int LAST = CieTable.LAST_NANOMETER - CieTable.FIRST_NANOMETER;
     /** Names of the built-in CIE illuminants; E is equal power. */
     public static final List<String> NAMES = List.of("D65", "D50", "A", "E", "F11", "LED-B3");
 
@@ -47,7 +47,7 @@ public record Illuminant(String name, double[] power) {
 
     Illuminant through(WavelengthBand band) {
         double[] passed = IntStream.rangeClosed(0, LAST)
-                .mapToDouble(i -> power[i] * band.coverage(i + 380))
+                .mapToDouble(i -> power[i] * band.coverage(i + CieTable.FIRST_NANOMETER))
                 .toArray();
         return new Illuminant(name + ", " + band, passed);
     }

@@ -40,7 +40,7 @@ public record ReflectionPart(CieTable cie, double constant, double schlick, int 
     private static double mirror(RefractiveIndex index, CieTable cie) {
         double sum = 0;
         double weights = 0;
-        for (int nanometer = 380; nanometer <= 780; nanometer++) {
+        for (int nanometer = CieTable.FIRST_NANOMETER; nanometer <= CieTable.LAST_NANOMETER; nanometer++) {
             double weight = cie.at(nanometer * 1e-9, 1);
             sum += weight * index.reflectance(nanometer * 1e-9);
             weights += weight;

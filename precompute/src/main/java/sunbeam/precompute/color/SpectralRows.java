@@ -17,7 +17,6 @@ import sunbeam.precompute.numerics.Lagrange;
  * width at half maximum, so that no line is lost. The map must not change afterwards.
  */
 record SpectralRows(NavigableMap<Double, Double> power) {
-    private static final double FIRST = 380;
     // Rows on each side that predict the row between them.
     private static final int NEIGHBORS = 3;
     // Largest error of that prediction, relative to the strongest power. A Gaussian peak at this limit has a deviation
@@ -31,7 +30,7 @@ record SpectralRows(NavigableMap<Double, Double> power) {
     double[] perNanometer() {
         DoubleUnaryOperator function = function();
         return IntStream.rangeClosed(0, Illuminant.LAST)
-                .mapToDouble(i -> function.applyAsDouble(FIRST + i))
+                .mapToDouble(i -> function.applyAsDouble(CieTable.FIRST_NANOMETER + i))
                 .toArray();
     }
 

@@ -8,13 +8,11 @@ import sunbeam.precompute.units.Lengths;
 /** Part of the visible band that a filter passes, or a spectral line, which is a nanometer wide. */
 public record WavelengthBand(double firstNanometers, double lastNanometers) {
     private static final double LINE_NANOMETERS = 1;
-    private static final double MINIMUM = 380;
-    private static final double MAXIMUM = 780;
     private static final String REMEDY = "; give a wavelength, 532nm, or a band, 500nm..600nm";
-    public static final WavelengthBand VISIBLE = new WavelengthBand(MINIMUM, MAXIMUM);
+    public static final WavelengthBand VISIBLE = new WavelengthBand(CieTable.FIRST_NANOMETER, CieTable.LAST_NANOMETER);
 
     public WavelengthBand {
-        if (!(firstNanometers >= MINIMUM && lastNanometers <= MAXIMUM)) {
+        if (!(firstNanometers >= CieTable.FIRST_NANOMETER && lastNanometers <= CieTable.LAST_NANOMETER)) {
             throw new IllegalArgumentException("reaches beyond 380 to 780 nm");
         }
         if (lastNanometers < firstNanometers) {
@@ -33,9 +31,11 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         }
         double first = nanometers(ends[0]);
         double last = ends.length == 2 ? nanometers(ends[1]) : first + LINE_NANOMETERS / 2;
-        if (ends.length == 1 && first >= MINIMUM && first <= MAXIMUM) {
+        if (ends.length == 1 && first >= CieTable.FIRST_NANOMETER && first <= CieTable.LAST_NANOMETER) {
             // A line at an end of the visible band is shifted inside.
-            first = Math.max(MINIMUM, Math.min(MAXIMUM - LINE_NANOMETERS, first - LINE_NANOMETERS / 2));
+            first = Math.max(
+                    CieTable.FIRST_NANOMETER,
+                    Math.min(CieTable.LAST_NANOMETER - LINE_NANOMETERS, first - LINE_NANOMETERS / 2));
             last = first + LINE_NANOMETERS;
         }
         try {
@@ -56,8 +56,8 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
 
     /** Returns the share of the nanometer around a wavelength that lies in the band; at 380 and 780, of half a nanometer. */
     double coverage(int nanometers) {
-        double first = Math.max(380, nanometers - 0.5);
-        double last = Math.min(780, nanometers + 0.5);
+        double first = Math.max(CieTable.FIRST_NANOMETER, nanometers - 0.5);
+        double last = Math.min(CieTable.LAST_NANOMETER, nanometers + 0.5);
         return Math.max(0, Math.min(last, lastNanometers) - Math.max(first, firstNanometers)) / (last - first);
     }
 
@@ -123,7 +123,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
 
         private double[] triangle(double center) {
             return IntStream.rangeClosed(0, Illuminant.LAST)
-                    .mapToDouble(i -> MINIMUM + i)
+                    .mapToDouble(i -> CieTable.FIRST_NANOMETER + i)
                     .map(at -> at < range.firstNanometers() || at > range.lastNanometers()
                             ? 0
                             : Math.max(0, 1 - Math.abs(at - center) / step()))

@@ -80,7 +80,7 @@ public record ColorTable(
         boolean coarse = tolerance >= LINES_TOLERANCE && !coherent;
         boolean lines = coarse && !ordersIsolated;
         List<Level> levels = new ArrayList<>();
-        double pointSigma = sigma(area.window());
+        double pointSigma = area.window().sigmaOfOrder(MIDDLE_WAVELENGTH);
         boolean hasSlopes = slopeDeviation > 0;
         double finest = Math.max(pointSigma, SHALLOWEST * slopeDeviation) / pointSigma;
         for (double widening = finest; widening == finest || pointSigma * widening <= widestSigma; widening *= RATIO) {
@@ -107,12 +107,12 @@ public record ColorTable(
 
     /** Returns the standard deviation in (u, v) of a sharp order at a point, at {@link #MIDDLE_WAVELENGTH}. */
     public double sigma() {
-        return sigma(area.window());
+        return area.window().sigmaOfOrder(MIDDLE_WAVELENGTH);
     }
 
     /** Returns {@link #sigma()} of the finest level for footprints; the variance doubles from level to level. */
     public double finestSigma() {
-        return sigma(levels.get(pointLevelCount()).area().window());
+        return levels.get(pointLevelCount()).area().window().sigmaOfOrder(MIDDLE_WAVELENGTH);
     }
 
     /** Returns the variance in (u, v) that slopes and a level's average add to a sharp order in {@link #area()}, at |w| of 0..2. */
@@ -135,10 +135,6 @@ public record ColorTable(
         // Power is the square of an amplitude.
         double wider = Math.sqrt(frequency * frequency + 2 * variance / (wavelength * wavelength));
         return new CoherenceWindow(area.window().sigmaMeters() * frequency / wider);
-    }
-
-    private static double sigma(CoherenceWindow window) {
-        return MIDDLE_WAVELENGTH * window.sigmaFrequency() / Math.sqrt(2);
     }
 
     /** Returns 1 if the first level is for points only, else 0. */

@@ -49,7 +49,7 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
             count = Math.max(0, last - first + 1);
             // exp(-(x + i r)^2) = exp(-x^2) exp(-2 x r)^i exp(-r^2)^(i^2): two exponentials instead of one per bin.
             double distance = (first - place) * ratio;
-            double weight = Math.exp(-distance * distance);
+            double weight = CoherenceWindow.power(distance);
             double factor = Math.exp(-(2 * distance + ratio) * ratio);
             for (int i = 0; i < count; i++) {
                 weights[i] = weight;

@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.ArrayLayout;
 import sunbeam.precompute.plan.FresnelFactor;
@@ -153,7 +154,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
             double waveNumber = center + i * step;
             if (waveNumber > 0) {
                 double wavelength = 1 / waveNumber;
-                double gauss = Math.exp(-Math.pow(i * step / width, 2)) * wavelength * wavelength * step;
+                double gauss = CoherenceWindow.power(i * step / width) * wavelength * wavelength * step;
                 for (int c = 0; c < 3; c++) {
                     sum[c] += gauss * cie.at(wavelength, c) / cie.integralOfY();
                 }

@@ -27,6 +27,31 @@ public record CoherenceWindow(double sigmaMeters) {
         return 1 / (2 * Math.PI * sigmaMeters);
     }
 
+    /** Returns the standard deviation of the power's spectrum, in cycles per meter: power is the square of an amplitude. */
+    public double sigmaFrequencyOfPower() {
+        return sigmaFrequency() / Math.sqrt(2);
+    }
+
+    /** Returns the standard deviation in (u, v) of a sharp order's power at a wavelength in meters. */
+    public double sigmaOfOrder(double wavelength) {
+        return wavelength * sigmaFrequency() / Math.sqrt(2);
+    }
+
+    /** Returns the amplitude of the window, or of its spectrum, relative to the center's; distance in standard deviations of either. */
+    public static double amplitude(double deviations) {
+        return Math.exp(-0.5 * deviations * deviations);
+    }
+
+    /** Returns the square of {@link #amplitude}. */
+    public static double power(double deviations) {
+        return Math.exp(-deviations * deviations);
+    }
+
+    /** Returns the distance, in standard deviations, at which the amplitude falls to a share of the center's. */
+    public static double reach(double share) {
+        return Math.sqrt(-2 * Math.log(share));
+    }
+
     /** Returns the |(u, v)| at which the specular peak of the longest wavelength, meters, ends: at five standard deviations. */
     public double specularReach(double longestWavelength) {
         return 5 * sigmaFrequency() * longestWavelength;

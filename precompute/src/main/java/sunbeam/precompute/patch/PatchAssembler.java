@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
@@ -32,7 +33,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     // Relative to the steps between neighbors; causes no visible streaks.
     private static final double LARGEST_BORDER_STEP = 4;
     // Meters: half of sunlight's coherence length. Larger patches are scans.
-    private static final double LARGEST_SYNTHETIC = 32.5e-6;
+    private static final double LARGEST_SYNTHETIC = CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / 2;
     // Relative to the relief; measured lines differ by more.
     private static final double SAME = 1e-6;
 

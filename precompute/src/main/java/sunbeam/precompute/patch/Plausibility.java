@@ -7,6 +7,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Preparation.Spikes;
@@ -18,11 +19,8 @@ import sunbeam.precompute.units.Lengths;
 
 /** Refuses impossible sizes and reliefs; warns of unlikely ones and of coarse sampling. */
 public final class Plausibility {
-    /** Shortest wavelength of the model, meters. */
-    public static final double SHORTEST_WAVELENGTH = 380e-9;
-
     /** Meters: spatial frequencies reach 2 / lambda, which need a pitch of lambda / 4 (sampling theorem). */
-    public static final double COARSEST_PITCH = SHORTEST_WAVELENGTH / 4;
+    public static final double COARSEST_PITCH = CieTable.MINIMUM_WAVELENGTH / 4;
 
     /** Meters. Steps q scatter the share (k w q)^2 / 12 of the light at random: 0.2 % at the shortest wavelength and w = 2. */
     private static final double COARSEST_STEP = 5e-9;
@@ -132,7 +130,7 @@ public final class Plausibility {
                 .mapToDouble(i -> distinct[i] - distinct[i - 1])
                 .min()
                 .orElseThrow();
-        double phase = 2 * 2 * Math.PI / SHORTEST_WAVELENGTH * step;
+        double phase = 2 * 2 * Math.PI / CieTable.MINIMUM_WAVELENGTH * step;
         return step <= COARSEST_STEP
                 ? Optional.empty()
                 : Optional.of("heights are coarse: one gray level is " + Lengths.format(step)
@@ -147,7 +145,7 @@ public final class Plausibility {
         }
         double relief = prepared.relief();
         // The phase k w h deviates by at most k w relief / 2 from its mean, at w = 2.
-        double phase = 2 * Math.PI * relief / SHORTEST_WAVELENGTH;
+        double phase = 2 * Math.PI * relief / CieTable.MINIMUM_WAVELENGTH;
         String cause = map.relief() < FLATTEST_RELIEF
                 ? "is the unit of the heights right?"
                 : Lengths.rounded(map.relief(), 4) + " before " + String.join(", ", steps);
@@ -165,7 +163,7 @@ public final class Plausibility {
             return Optional.empty();
         }
         return Optional.of("sampling too coarse: samples are " + Lengths.format(coarsest) + " apart along "
-                + (pitchX >= pitchY ? "x" : "y") + ", but light of " + Lengths.format(SHORTEST_WAVELENGTH)
+                + (pitchX >= pitchY ? "x" : "y") + ", but light of " + Lengths.format(CieTable.MINIMUM_WAVELENGTH)
                 + " sees structure down to " + Lengths.format(COARSEST_PITCH) + ", and lines closer than "
                 + Lengths.rounded(2 * coarsest, 3) + " show as lines farther apart; use a finer scan or expect wrong"
                 + " colors far from the specular direction, and false periods");

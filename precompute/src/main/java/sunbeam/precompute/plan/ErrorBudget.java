@@ -1,5 +1,6 @@
 package sunbeam.precompute.plan;
 
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.spectrum.InterpolationDesign;
 
 /**
@@ -58,7 +59,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     /** Returns the radius of the bins to sum; omitted ones, at least half a bin farther, contribute less than may be left out. */
     public int neighborhoodRadius(double sigmaBins) {
         double leftOut = 0.5 * WINDOW_SHARE * tolerance * DARKEST_AMPLITUDE;
-        double reach = Math.sqrt(2 * Math.log(1 / leftOut));
+        double reach = CoherenceWindow.reach(leftOut);
         return (int) Math.max(0, Math.ceil(sigmaBins * reach - 0.5));
     }
 
@@ -85,7 +86,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
             return ROUGH_SKIRT;
         }
         // A power's Gaussian is narrower by sqrt(2) and ends where the power is darkest.
-        return Math.sqrt(-2 * Math.log(average == Average.ENSEMBLE ? DARKEST_POWER : DARKEST_AMPLITUDE));
+        return CoherenceWindow.reach(average == Average.ENSEMBLE ? DARKEST_POWER : DARKEST_AMPLITUDE);
     }
 
     /**

@@ -158,8 +158,8 @@ public record GridSampling(
             this.plan = plan;
             this.coherent = average == Average.COHERENT;
             this.name = ValueKind.name(average);
-            double window = plan.window().sigmaFrequency();
-            this.sigma = coherent ? window : window / Math.sqrt(2);
+            this.sigma =
+                    coherent ? plan.window().sigmaFrequency() : plan.window().sigmaFrequencyOfPower();
             this.step = sigma / interpolation.deviation();
             int taps = interpolation.taps();
             this.nodes = new Grid(plan.range(), nodeStep, 1);

@@ -192,7 +192,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             // The next order, at least half a bin away, must vanish there, so that the valley between orders is dark.
             double sigmaBins = area.window().sigmaFrequency()
                     * Math.max(heights.map().width(), heights.map().height());
-            double neighbor = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
+            double neighbor = CoherenceWindow.amplitude(0.5 / sigmaBins);
             if (neighbor < 1e-3 * budget.tolerance()) {
                 return List.of(this::orders);
             }
@@ -223,7 +223,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         }
 
         private BandRule band(int fewestNodes) {
-            double deviation = area.window().sigmaFrequency() / Math.sqrt(2);
+            double deviation = area.window().sigmaFrequencyOfPower();
             return BandRule.of(fewestNodes, deviation, budget.cutSpacing(), budget.panelDeviations());
         }
 
@@ -234,7 +234,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         private Sampling orders() {
             // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2).
             double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
-            double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
+            double reach = Math.max(3, CoherenceWindow.reach(0.1 * budget.tolerance()));
             OrderSampling.OrderNodes nodes = new OrderSampling.OrderNodes(
                     reach,
                     spacing,
@@ -250,7 +250,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             // Columns are crossed at up to sqrt(2) of their distance. An order's power along the ray has deviation
             // sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
             double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
-            double deviation = area.window().sigmaFrequency() / Math.sqrt(2);
+            double deviation = area.window().sigmaFrequencyOfPower();
             double uncut = area.window().sigmaFrequency() / perStep;
             boolean rough = budget.roughness().isRough();
             double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import sunbeam.precompute.optics.CoherenceWindow;
 
 /**
  * Design of an interpolation that replaces a Gaussian of the frequency by a few taps on a grid:
@@ -92,7 +93,7 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
             for (int i = 0; i <= SPECTRUM_SAMPLES; i++) {
                 double frequency = 0.5 * i / SPECTRUM_SAMPLES;
                 double end = i == 0 || i == SPECTRUM_SAMPLES ? 0.5 : 1;
-                double gauss = Math.exp(-0.5 * Math.pow(2 * Math.PI * deviation * frequency, 2));
+                double gauss = CoherenceWindow.amplitude(2 * Math.PI * deviation * frequency);
                 spectrum[i] = end * gauss / kernel.transform(frequency);
             }
         }
@@ -130,7 +131,7 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
                     double bin = (double) place / POSITIONS;
                     // The offset of f from the grid point below varies with the distance.
                     double f = bin + skirt * i / distances * deviation;
-                    double gauss = Math.exp(-0.5 * Math.pow((f - bin) / deviation, 2));
+                    double gauss = CoherenceWindow.amplitude((f - bin) / deviation);
                     largest = Math.max(largest, Math.abs(interpolated(f, bin) / gauss - 1));
                 }
             }
@@ -201,7 +202,7 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
                         grid,
                         step,
                         bins,
-                        distance -> Math.exp(-0.5 * Math.pow(distance / deviation, 2)),
+                        distance -> CoherenceWindow.amplitude(distance / deviation),
                         InterpolationDesign.GAUSS_REACH * deviation);
             }
 

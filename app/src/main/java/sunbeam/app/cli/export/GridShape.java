@@ -4,7 +4,6 @@ import java.util.stream.LongStream;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.method.ColorTablePlan;
-import sunbeam.precompute.optics.CoherenceWindow;
 
 /** Axes of a color grid, with at least {@link TableDesign#TAPS} slices of |w|, and the largest angle to the normal, radians. */
 record GridShape(Axis u, Axis v, Axis depth, double largestAngle) {
@@ -59,7 +58,7 @@ record GridShape(Axis u, Axis v, Axis depth, double largestAngle) {
     /** Returns the coarsest shape that keeps the plan's tolerance: linear in the square roots along u and v, cubic in the colors along w. */
     static GridShape of(ColorTablePlan plan, ColorTable.Level level, Box box, double largestAngle) {
         double tolerance = plan.table().tolerance();
-        double step = Math.sqrt(8 * tolerance) * sigma(level.area().window(), SHARPEST_WAVELENGTH);
+        double step = Math.sqrt(8 * tolerance) * level.area().window().sigmaOfOrder(SHARPEST_WAVELENGTH);
         double sliceStep =
                 TableDesign.within(tolerance, level.area(), plan.relief()).sliceStep();
         double least = REACH * Math.cos(largestAngle);
@@ -68,11 +67,6 @@ record GridShape(Axis u, Axis v, Axis depth, double largestAngle) {
         Axis u = Axis.covering(box.left, box.right, step);
         Axis v = Axis.covering(box.bottom, box.top, step);
         return new GridShape(u, v, depth, largestAngle);
-    }
-
-    /** Standard deviation in (u, v) of a sharp order seen under a window. */
-    static double sigma(CoherenceWindow window, double wavelength) {
-        return wavelength * window.sigmaFrequency() / Math.sqrt(2);
     }
 
     /** Returns the largest |(u, v)|. */

@@ -25,7 +25,7 @@ final class ShaderText {
     static String of(String name, TableMetadata metadata, int doublings) {
         GridShape shape = metadata.grid().shape();
         ColorTable.Level level = metadata.grid().level();
-        double sigma = GridShape.sigma(level.area().window(), ColorTable.MIDDLE_WAVELENGTH);
+        double sigma = level.area().window().sigmaOfOrder(ColorTable.MIDDLE_WAVELENGTH);
         Map<String, String> values = new LinkedHashMap<>();
         values.put("PATCH", plain(metadata.setup().patch().name()));
         values.put("LENGTH", Lengths.rounded(metadata.coherenceLength(), 3));

@@ -58,7 +58,7 @@ record TableMetadata(
 
     /** Returns the full width at half maximum, in degrees, of an order at 550 nm near the normal. */
     double resolutionDegrees() {
-        double sigma = GridShape.sigma(grid.level().area().window(), ColorTable.MIDDLE_WAVELENGTH);
+        double sigma = grid.level().area().window().sigmaOfOrder(ColorTable.MIDDLE_WAVELENGTH);
         return Math.toDegrees(WIDTHS_PER_DEVIATION * sigma);
     }
 

@@ -71,7 +71,9 @@ enum FigurePlot {
 
     /** Plots k = 2 pi / lambda of visible light. */
     private static Plot wavenumber(Map<String, Double> numbers) {
-        double[] nanometers = IntStream.rangeClosed(380, 780).asDoubleStream().toArray();
+        double[] nanometers = IntStream.rangeClosed(CieTable.FIRST_NANOMETER, CieTable.LAST_NANOMETER)
+                .asDoubleStream()
+                .toArray();
         double[] perMicrometer = map(nanometers, nanometer -> 2000 * Math.PI / nanometer);
         numbers.put("ratio", perMicrometer[0] / perMicrometer[perMicrometer.length - 1]);
         return Plot.linear("Wavenumber of light", "wavelength / nm", "k / (rad / µm)", WIDTH, HEIGHT)
@@ -82,7 +84,9 @@ enum FigurePlot {
     private static Plot colorMatching(Map<String, Double> numbers) {
         CieTable table = CieTable.of(CieTable.Observer.CIE1931, Illuminant.of("E"));
         Plot plot = Plot.linear("CIE 1931, 2 degrees", "wavelength / nm", "color matching function", WIDTH, HEIGHT);
-        double[] nanometers = IntStream.rangeClosed(380, 780).asDoubleStream().toArray();
+        double[] nanometers = IntStream.rangeClosed(CieTable.FIRST_NANOMETER, CieTable.LAST_NANOMETER)
+                .asDoubleStream()
+                .toArray();
         // Blue, green and red, in the order in which the functions peak.
         for (int channel : new int[] {2, 1, 0}) {
             int c = channel;

@@ -17,6 +17,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -141,7 +142,7 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
         } else if (column.startsWith("phi")) {
             requireWithin(place, value, -LARGEST_PHI, LARGEST_PHI, "-" + LARGEST_PHI + ".." + LARGEST_PHI + " degrees");
         } else {
-            requireWithin(place, value, 380 - 1e-6, 780 + 1e-6, "380..780 nm");
+            requireWithin(place, value, CieTable.FIRST_NANOMETER - 1e-6, CieTable.LAST_NANOMETER + 1e-6, "380..780 nm");
         }
         return value;
     }

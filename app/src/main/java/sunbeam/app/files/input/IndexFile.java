@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.NavigableMap;
 import java.util.TreeMap;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.units.Decimals;
@@ -13,8 +14,6 @@ import sunbeam.precompute.units.Decimals;
 /** Reader of refractive indices in the format of refractiveindex.info. */
 public final class IndexFile {
     private static final long LARGEST_BYTES = 1 << 20;
-    private static final double FIRST_NM = 380;
-    private static final double LAST_NM = 780;
     private static final double ROUNDING = 1e-6;
 
     private IndexFile() {}
@@ -81,7 +80,7 @@ public final class IndexFile {
                 "it has no column " + column + "; export it from refractiveindex.info as CSV, with the header wl,n");
         double first = 1e9 * values.firstKey();
         double last = 1e9 * values.lastKey();
-        if (first > FIRST_NM + ROUNDING || last < LAST_NM - ROUNDING) {
+        if (first > CieTable.FIRST_NANOMETER + ROUNDING || last < CieTable.LAST_NANOMETER - ROUNDING) {
             throw new InputException("its " + column + " reaches from " + Math.round(first) + " to " + Math.round(last)
                     + " nm, but 380 to 780 nm are needed (wavelengths are in micrometers)");
         }

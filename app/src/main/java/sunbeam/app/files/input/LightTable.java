@@ -31,8 +31,6 @@ import sunbeam.precompute.units.Decimals;
 public final class LightTable {
     private static final long LARGEST_BYTES = 1 << 20;
     private static final double LARGEST_GAP_NANOMETERS = 20;
-    private static final double FIRST_NANOMETERS = 380;
-    private static final double LAST_NANOMETERS = 780;
 
     private LightTable() {}
 
@@ -64,15 +62,20 @@ public final class LightTable {
     }
 
     private static Illuminant illuminant(String name, NavigableMap<Double, Double> powers) {
-        if (powers.isEmpty() || powers.firstKey() > FIRST_NANOMETERS || powers.lastKey() < LAST_NANOMETERS) {
+        if (powers.isEmpty()
+                || powers.firstKey() > CieTable.FIRST_NANOMETER
+                || powers.lastKey() < CieTable.LAST_NANOMETER) {
             throw new InputException((powers.isEmpty()
                             ? "it has no row of wavelength and power"
                             : "its wavelengths reach from " + Decimals.format(powers.firstKey()) + " to "
                                     + Decimals.format(powers.lastKey()) + " nm")
                     + ", and 380 to 780 nm are needed, in nanometers, 0 where there is no light");
         }
-        requireCloseRows(
-                powers.subMap(powers.floorKey(FIRST_NANOMETERS), true, powers.ceilingKey(LAST_NANOMETERS), true));
+        requireCloseRows(powers.subMap(
+                powers.floorKey((double) CieTable.FIRST_NANOMETER),
+                true,
+                powers.ceilingKey((double) CieTable.LAST_NANOMETER),
+                true));
         try {
             return Illuminant.ofRows(name, powers);
         } catch (IllegalArgumentException wrong) {

@@ -264,7 +264,6 @@ public final class GraphicsStage implements Stage {
     }
 
     @Override
-    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their patches
     public void map(
             MapRequest request,
             boolean isFinal,
@@ -273,7 +272,7 @@ public final class GraphicsStage implements Stage {
         map.cancel();
         List<SceneSession> parts = own.parts.stream()
                 .filter(part -> part.data().draws(request.object(), request.region())
-                        && part.data().patch() == request.patch())
+                        && SceneSharing.isSame(part.data().patch(), request.patch()))
                 .toList();
         if (parts.isEmpty()) {
             return;

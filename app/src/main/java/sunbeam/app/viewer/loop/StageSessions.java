@@ -11,6 +11,7 @@ import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.SceneShape;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSharing;
 
 /** Sessions that hold a scene, as drawn by one method, on the graphics card, and its measured cost. Used by the render thread only. */
 final class StageSessions implements AutoCloseable {
@@ -63,11 +64,10 @@ final class StageSessions implements AutoCloseable {
         parts = made;
     }
 
-    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void followCost(SceneData data) {
         if (scaled == null
-                || data.method() != scaled.method()
-                || data.shape().whole() != scaled.shape().whole()) {
+                || !SceneSharing.isSame(data.method(), scaled.method())
+                || !SceneSharing.isSame(data.shape().whole(), scaled.shape().whole())) {
             scale = new FrameScale();
             tiles = new TimedTiles(this::pixelClock);
         }

@@ -1,6 +1,7 @@
 package sunbeam.app.viewer.loop;
 
 import sunbeam.app.render.SceneData;
+import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.viewer.model.LoadedScene;
 
 /**
@@ -13,10 +14,9 @@ public record ViewState(LoadedScene scene, int metering, int width, int height, 
         return scene.firstPart();
     }
 
-    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     public boolean showsThePictureOf(ViewState other) {
         return isOther == other.isOther
-                && firstPart() == other.firstPart()
+                && SceneSharing.isSame(firstPart(), other.firstPart())
                 && metering == other.metering
                 && width == other.width
                 && height == other.height;
