@@ -62,7 +62,7 @@ record Inspection(
             FullMethod standard = FullMethod.of(limit.choices().with(MethodSettings.AVERAGE, Average.ENSEMBLE));
             try {
                 drawing = Optional.of(Choices.at(OptionOrigin.INSTANCE)
-                        .located(() -> standard.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all())));
+                        .located(() -> standard.tablePlan(Surface.of(patch), VisibleRange.all())));
             } catch (SettingException tooMuch) {
                 refusal = tooMuch.getMessage();
             }

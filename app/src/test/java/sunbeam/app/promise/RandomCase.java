@@ -143,7 +143,7 @@ record RandomCase(
     }
 
     private Surface surface() {
-        return new Surface(map, "case " + seed, map.digest(), CieTable.load());
+        return new Surface(map, "case " + seed, CieTable.load());
     }
 
     /** X, Y, Z, or the power of the average alone, of each query. */

@@ -108,7 +108,7 @@ record CoarseWave(List<double[]> levels, double[] rest, int columns, int rows) {
         Arrays.setAll(from, i -> from[i] - size * unit[i]);
     }
 
-    private static double dot(double[] a, double[] b) {
+    static double dot(double[] a, double[] b) {
         double sum = 0;
         for (int i = 0; i < a.length; i++) {
             sum += a[i] * b[i];

@@ -105,10 +105,6 @@ public record GratingPeriod(
         return withCertainty(Certainty.NONE, why);
     }
 
-    GratingPeriod probable(String why) {
-        return withCertainty(Certainty.PROBABLE, why);
-    }
-
     GratingPeriod tooLittle(String why) {
         String reason = "too little to judge: " + why + "; use a larger scan, or state that it is periodic";
         return withCertainty(Certainty.TOO_LITTLE, reason);

@@ -117,7 +117,7 @@ final class RobustHeights {
                     .toArray();
             double[] sizes = new double[count];
             for (int k = 0; k < count; k++) {
-                rest[k] = values[k] - dot(fit, terms[k]);
+                rest[k] = values[k] - CoarseWave.dot(fit, terms[k]);
                 sizes[k] = Math.abs(rest[k]);
             }
             double scale = HUBER * GAUSSIAN * Quantiles.of(sizes, 0.5);
@@ -127,15 +127,9 @@ final class RobustHeights {
         }
         double offset = heights[0];
         double[] found = fit;
-        IntStream.range(0, heights.length).parallel().forEach(i -> heights[i] -= offset + dot(found, terms(scan, i)));
-    }
-
-    private static double dot(double[] a, double[] b) {
-        double sum = 0;
-        for (int i = 0; i < a.length; i++) {
-            sum += a[i] * b[i];
-        }
-        return sum;
+        IntStream.range(0, heights.length)
+                .parallel()
+                .forEach(i -> heights[i] -= offset + CoarseWave.dot(found, terms(scan, i)));
     }
 
     /** Clips heights beyond the usual tops and bottoms of small tiles, or of large ones if these are farther: pits may be rare. */

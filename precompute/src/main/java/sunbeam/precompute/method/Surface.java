@@ -8,22 +8,14 @@ import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.setting.SettingException;
 
-/**
- * Surface and light for which methods are planned: heights without missing samples, a name for messages, and for cache keys the SHA-256 of
- * grid and heights, in hexadecimal.
- */
-public record Surface(HeightLevels levels, String name, String digest, CieTable cie, Roughness.Cache statistics) {
-    public Surface(HeightMap map, String name, String digest, CieTable cie) {
-        this(new HeightLevels(map), name, digest, cie, Roughness.Cache.NONE);
+/** Surface and light for which methods are planned: heights without missing samples, and a name for messages. */
+public record Surface(HeightLevels levels, String name, CieTable cie, Roughness.Cache statistics) {
+    public Surface(HeightMap map, String name, CieTable cie) {
+        this(new HeightLevels(map), name, cie, Roughness.Cache.NONE);
     }
 
     public static Surface of(Patch patch) {
-        return new Surface(patch.heights(), patch.name(), patch.heights().digest(), CieTable.load());
-    }
-
-    /** Returns the surface of a patch for plans only: without the slow digest of all heights. */
-    public static Surface withoutIdentity(Patch patch) {
-        return new Surface(patch.heights(), patch.name(), "", CieTable.load());
+        return new Surface(patch.heights(), patch.name(), CieTable.load());
     }
 
     public HeightMap map() {
@@ -31,11 +23,11 @@ public record Surface(HeightLevels levels, String name, String digest, CieTable 
     }
 
     public Surface withLight(CieTable light) {
-        return new Surface(levels, name, digest, light, statistics);
+        return new Surface(levels, name, light, statistics);
     }
 
     public Surface withStatistics(Roughness.Cache newStatistics) {
-        return new Surface(levels, name, digest, cie, newStatistics);
+        return new Surface(levels, name, cie, newStatistics);
     }
 
     void requireSmoothLight() {
@@ -51,7 +43,12 @@ public record Surface(HeightLevels levels, String name, String digest, CieTable 
         return new Planner(levels, cie, statistics);
     }
 
+    /** Returns the SHA-256 of grid and heights in hexadecimal, for cache keys; plans alone do without it. */
+    public String digest() {
+        return map().digest();
+    }
+
     String key() {
-        return digest + "|" + cie.digest();
+        return digest() + "|" + cie.digest();
     }
 }

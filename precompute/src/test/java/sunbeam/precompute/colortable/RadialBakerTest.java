@@ -52,7 +52,7 @@ class RadialBakerTest {
     }
 
     static PowerSpectrum spectrum(HeightMap map, GaussianArea area, GaussianArea shortest, double tolerance) {
-        Surface surface = new Surface(map, "test", "digest", CieTable.load());
+        Surface surface = new Surface(map, "test", CieTable.load());
         SpectrumPlan wide = surface.planner()
                 .plan(TableChoices.within(1e-4), area, VisibleRange.all())
                 .widened(map, shortest.window());

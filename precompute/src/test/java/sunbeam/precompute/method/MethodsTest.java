@@ -125,7 +125,7 @@ class MethodsTest {
 
     private static String key(List<DirectionPair> pairs) {
         HeightMap map = BuiltInPatches.generate("blaze");
-        Surface surface = new Surface(map, "blaze", "digest", CieTable.load());
+        Surface surface = new Surface(map, "blaze", CieTable.load());
         return METHOD.plan(surface, VisibleRange.of(pairs)).key(MethodUse.COLOR);
     }
 

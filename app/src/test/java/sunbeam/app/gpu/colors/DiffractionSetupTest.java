@@ -73,7 +73,7 @@ class DiffractionSetupTest {
 
     private static Surface surface() {
         HeightMap map = BuiltInPatches.generate("blaze");
-        return new Surface(map, "a", map.digest(), CieTable.load());
+        return new Surface(map, "a", CieTable.load());
     }
 
     private CacheFolder folder() {
