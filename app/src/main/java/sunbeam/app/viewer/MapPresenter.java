@@ -57,7 +57,7 @@ final class MapPresenter {
         SceneData part =
                 viewer.model.loaded().orElseThrow().ofPatch(object, region).get(0);
         Patch patch = part.patch();
-        if (displayed != null && displayed.patch() != patch) {
+        if (displayed != null && !SceneSharing.isSame(displayed.patch(), patch)) {
             view.clear("");
         }
         newest = new MapRequest(towards, object, region, patch);
@@ -94,7 +94,7 @@ final class MapPresenter {
 
     /** @param method plan of a final map's method, null for another map */
     private void show(MapRequest request, BufferedImage image, MethodPlan method) {
-        if (newest != null && newest.patch() != request.patch()) {
+        if (newest != null && !SceneSharing.isSame(newest.patch(), request.patch())) {
             return; // the map of a scan that another has replaced
         }
         displayed = request;
