@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -268,6 +270,26 @@ class LauncherStartTest extends InSandbox {
                         .lines())
                 .contains(
                         "-XX:ErrorFile=/dev/null", "-XX:-CreateCoredumpOnCrash", "-XX:-UsePerfData", "Mesa true true");
+    }
+
+    /** Java writes the report of its fatal error to standard output, whatever its options. */
+    @ParameterizedTest
+    @CsvSource({
+        "--json, true",
+        "--output -, true",
+        "--output=-, true",
+        "--output colors.csv, false",
+        "--csv=-x --jsonx, false"
+    })
+    void aDyingJavaIsSilentWhereResultsGoToStandardOutput(String words, boolean silent) throws Exception {
+        List<String> arguments = new ArrayList<>(List.of("inspect", "blaze"));
+        arguments.addAll(List.of(words.split(" ")));
+        assertThat(command(arguments.toArray(String[]::new))
+                        .run()
+                        .stdout()
+                        .lines()
+                        .anyMatch("-XX:+SuppressFatalErrorMessage"::equals))
+                .isEqualTo(silent);
     }
 
     /** A shell with {@code set -f} passes that on in SHELLOPTS. */
