@@ -216,7 +216,8 @@ public final class ColorCommand extends FileCommand {
             PrintWriter err = err();
             DiffractionSetup setup = new DiffractionSetup(patch, environment(), err).withLight(spectrum);
             Choices turned = turn.choices().over(light.choices());
-            SurfaceColors surface = new SurfaceColors(setup, limit.choices(), material, turned, theta, angles);
+            SurfaceColors surface =
+                    new SurfaceColors(setup, cachedPeriod(patch), limit.choices(), material, turned, theta, angles);
             surface.energy().flatMap(EnergyBalance::warning).ifPresent(own::add);
             progress.step(1);
             if (methodOptions.explains()) {

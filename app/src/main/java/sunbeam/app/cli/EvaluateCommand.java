@@ -176,7 +176,7 @@ public final class EvaluateCommand extends FileCommand {
 
     private GratingPlane plane(Patch patch, GratingPeriod period) {
         OptionalDouble azimuth = grating.azimuth();
-        GratingPeriod aimed = period.hasWave() || azimuth.isPresent() ? period : GratingPeriod.of(patch);
+        GratingPeriod aimed = period.hasWave() || azimuth.isPresent() ? period : cachedPeriod(patch);
         return grating.plane(azimuth.orElse(aimed.azimuth()));
     }
 

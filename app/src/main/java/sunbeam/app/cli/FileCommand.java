@@ -11,6 +11,8 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import sunbeam.app.files.cache.BlobCache;
+import sunbeam.app.files.cache.PeriodCache;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.FileGroup;
@@ -20,6 +22,7 @@ import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.PictureFile;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
+import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.patch.Patch;
 
 /** Base class of commands that write files and report them: options {@code --force} and {@code --json}. */
@@ -112,6 +115,11 @@ public abstract class FileCommand extends ReportingCommand {
                 : "; let the exposure be automatic, or raise it";
         err.println(Messages.warning(picture + " is black all over" + remedy));
         return ExitCode.TOLERANCE_MISSED;
+    }
+
+    /** Returns a patch's period, from the cache if it is there. */
+    protected final GratingPeriod cachedPeriod(Patch patch) {
+        return new PeriodCache(BlobCache.of(environment(), warning -> {})).of(patch);
     }
 
     /** True if all pixels are black; false for small pictures, which may be black by chance. */

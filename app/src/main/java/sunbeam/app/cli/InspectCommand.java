@@ -12,7 +12,9 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.terminal.Messages;
+import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
@@ -62,6 +64,12 @@ public final class InspectCommand extends FileCommand {
                     "Say more: source, channels, faults, warnings in full, the model's error, the plan and its cost.")
     private boolean explain;
 
+    /** Returns the picture that the command writes without options, of a patch whose period is known. */
+    public static Drawing picture(Patch patch, GratingPeriod period) {
+        Inspection inspection = Inspection.of(patch, period, 0, false);
+        return new InspectionSheet(inspection, inspection.lines(), Drawing.COLUMN, Optional.empty()).draw();
+    }
+
     @Override
     public Integer call() {
         resume.requireMany();
@@ -74,7 +82,7 @@ public final class InspectCommand extends FileCommand {
         Path picture = writable(
                 output, "inspect-" + loaded.name() + (panel == null ? "" : "-" + ValueKind.name(panel)) + ".png");
         double theta = Math.rint(1e9 * Math.toDegrees(light.choices().get(LightOptions.THETA_I))) / 1e9;
-        Inspection inspection = Inspection.of(loaded, theta, explain || json.isGiven());
+        Inspection inspection = Inspection.of(loaded, cachedPeriod(loaded), theta, explain || json.isGiven());
         List<String> lines = new ArrayList<>(inspection.lines());
         if (explain) {
             lines.addAll(inspection.explanation());
@@ -86,8 +94,7 @@ public final class InspectCommand extends FileCommand {
         text.put("Verdict", inspection.verdict().sentence());
         // Also --json makes the plan, but writes the same picture as without it.
         inspection.plan().filter(summary -> explain).ifPresent(summary -> text.put("Plan", summary));
-        InspectionSheet sheet = new InspectionSheet(
-                inspection, loaded.scan(), lines.subList(1, lines.size()), page.pixels(), Optional.ofNullable(panel));
+        InspectionSheet sheet = new InspectionSheet(inspection, lines, page.pixels(), Optional.ofNullable(panel));
         List<Path> places = write(picture, overwrite(output), sheet.draw(), page.width(), text, sheet.csv());
         Map<String, Object> fields = inspection.fields();
         fields.put("thumbnail_px", sheet.thumbnail());

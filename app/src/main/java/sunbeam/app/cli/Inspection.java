@@ -50,10 +50,12 @@ record Inspection(
     private static final int DIGITS = 4;
     private static final Direction FROM_ABOVE = new Direction(0, 0, 1);
 
-    /** @param withPlan whether to make the plan of method full, which takes long */
-    static Inspection of(Patch patch, double thetaI, boolean withPlan) {
+    /**
+     * @param period the patch's
+     * @param withPlan whether to make the plan of method full, which takes long
+     */
+    static Inspection of(Patch patch, GratingPeriod period, double thetaI, boolean withPlan) {
         ScanLimit limit = ScanLimit.of(Choices.none(), patch);
-        GratingPeriod period = GratingPeriod.of(patch);
         HeightSpectrum.Edges edges = period.isExact() ? HeightSpectrum.Edges.PERIODIC : HeightSpectrum.Edges.TAPERED;
         Optional<SpectrumPlan> drawing = Optional.empty();
         String refusal = "";

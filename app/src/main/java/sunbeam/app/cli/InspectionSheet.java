@@ -25,10 +25,11 @@ import sunbeam.precompute.units.Lengths;
 /**
  * Picture of an inspection: text, and four panels.
  *
+ * @param lines text, of which the first, the verdict's sentence, is the heading
  * @param width pixels
  * @param panel the only panel to draw, if not all
  */
-record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines, int width, Optional<Panel> panel) {
+record InspectionSheet(Inspection inspection, List<String> lines, int width, Optional<Panel> panel) {
     /** Parts of the picture. */
     enum Panel {
         HEIGHTS,
@@ -56,10 +57,14 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
     // Least range of frequencies that is drawn, relative to that of the period.
     private static final double SHOWN_PER_PERIOD = 1.5;
 
+    private HeightMap map() {
+        return inspection.patch().scan();
+    }
+
     private Sheet text() {
         Sheet sheet = new Sheet(width)
                 .heading(inspection.patch().name() + ": " + inspection.verdict().sentence());
-        lines.forEach(line -> sheet.labeled(line, LABELS));
+        lines.stream().skip(1).forEach(line -> sheet.labeled(line, LABELS));
         return sheet;
     }
 
@@ -131,7 +136,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
     }
 
     private boolean isProfile() {
-        return map.columns() == 1 || map.rows() == 1;
+        return map().columns() == 1 || map().rows() == 1;
     }
 
     private int reachX() {
@@ -154,26 +159,26 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
     /** Returns the power of a bin by its area, m^4, or of a profile by its length, m^3. */
     private double density(int jx, int jy) {
         HeightSpectrum spectrum = inspection.spectrum();
-        double x = map.columns() == 1 ? 1 : spectrum.width();
-        double y = map.rows() == 1 ? 1 : spectrum.height();
+        double x = map().columns() == 1 ? 1 : spectrum.width();
+        double y = map().rows() == 1 ? 1 : spectrum.height();
         return spectrum.at(jx, jy) * x * y;
     }
 
     private Drawing heights(int across, int tall) {
-        double[][] rows = new double[map.rows()][map.columns()];
-        for (int row = 0; row < map.rows(); row++) {
-            int mapRow = map.rows() - 1 - row;
-            Arrays.setAll(rows[row], column -> map.at(column, mapRow) * NANOMETERS);
+        double[][] rows = new double[map().rows()][map().columns()];
+        for (int row = 0; row < map().rows(); row++) {
+            int mapRow = map().rows() - 1 - row;
+            Arrays.setAll(rows[row], column -> map().at(column, mapRow) * NANOMETERS);
         }
         // Leaves out the lowest and highest 0.1 %: with a grain of dust in it, all else would be one gray.
-        double[] heights = map.heights();
+        double[] heights = map().heights();
         double low = Quantiles.of(heights, DUST) * NANOMETERS;
         double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETERS, low + 1e-3);
         Colors colors = new Colors("", low, high, Plot.Scale.LINEAR, HeatMap.ColorMap.GRAY);
-        double width = map.width() * MICROMETERS;
+        double width = map().width() * MICROMETERS;
         double bar = Plot.round(0.25 * width);
         double[] x = {0, width};
-        double[] y = {0, map.height() * MICROMETERS};
+        double[] y = {0, map().height() * MICROMETERS};
         return new HeatMap(
                         new Frame("Height / nm", "x / um", "y / um", across, tall, true),
                         new Values(rows, x, y, colors, HeatMap.Reduction.MIDDLE))
@@ -215,12 +220,12 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
 
     /** Returns heights in nm, and the share of the surface per nm at each. */
     private double[][] histogram() {
-        double low = map.minimum();
-        double step = Math.max(map.relief() / (HISTOGRAM_BINS - 1), LEAST_STEP);
+        double low = map().minimum();
+        double step = Math.max(map().relief() / (HISTOGRAM_BINS - 1), LEAST_STEP);
         double[] shares = new double[HISTOGRAM_BINS];
-        double one = 1 / (step * NANOMETERS * map.columns() * map.rows());
+        double one = 1 / (step * NANOMETERS * map().columns() * map().rows());
         // Heights count in two neighboring bins, by distance, so that the levels of an 8-bit scan are no comb.
-        for (double height : map.heights()) {
+        for (double height : map().heights()) {
             double place = (height - low) / step;
             int bin = Math.min(HISTOGRAM_BINS - 2, (int) place);
             shares[bin] += one * (1 - (place - bin));
@@ -234,7 +239,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
 
     private double direction() {
         GratingPeriod period = inspection.period();
-        return period.hasWave() ? period.azimuth() : map.columns() == 1 ? 0.5 * Math.PI : 0;
+        return period.hasWave() ? period.azimuth() : map().columns() == 1 ? 0.5 * Math.PI : 0;
     }
 
     private static double rounded(double radians) {
@@ -245,7 +250,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
     private double[][] profile() {
         GratingPeriod period = inspection.period();
         double longest = period.hasWave() ? PROFILE_PERIODS * period.period() : Double.POSITIVE_INFINITY;
-        double pitch = Math.min(map.pitchX(), map.pitchY());
+        double pitch = Math.min(map().pitchX(), map().pitchY());
         double cosine = Math.cos(direction());
         double sine = Math.sin(direction());
         int half = 0;
@@ -262,12 +267,12 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines,
     }
 
     private boolean isInside(double x, double y) {
-        return Math.abs(x) <= 0.5 * (map.columns() - 1) * map.pitchX()
-                && Math.abs(y) <= 0.5 * (map.rows() - 1) * map.pitchY();
+        return Math.abs(x) <= 0.5 * (map().columns() - 1) * map().pitchX()
+                && Math.abs(y) <= 0.5 * (map().rows() - 1) * map().pitchY();
     }
 
     private double at(double x, double y) {
-        return map.at((int) Math.floor(0.5 * map.columns() + x / map.pitchX() - 1e-9), (int)
-                Math.floor(0.5 * map.rows() - y / map.pitchY() - 1e-9));
+        return map().at((int) Math.floor(0.5 * map().columns() + x / map().pitchX() - 1e-9), (int)
+                Math.floor(0.5 * map().rows() - y / map().pitchY() - 1e-9));
     }
 }

@@ -133,7 +133,7 @@ public final class OrdersCommand extends FileCommand {
         Messages.scanWarning(patch.name(), patch.warnings(), "inspect --explain")
                 .ifPresent(err()::println);
         FileGroup files = writableGroup(output, patch.name() + "-orders");
-        GratingPeriod period = GratingPeriod.of(patch);
+        GratingPeriod period = cachedPeriod(patch);
         InputException.refuseIf(
                 !period.isSeen(),
                 patch.name() + ": no orders without a period: "

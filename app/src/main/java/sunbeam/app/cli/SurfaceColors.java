@@ -76,11 +76,18 @@ final class SurfaceColors {
     /**
      * Plans the method for all views; the color at each viewing angle, in degrees, is the mean over a step.
      *
+     * @param found the patch's period
      * @param light light's azimuth, by default that of each plane, and the patch's rotation
      * @param theta angle of the light to the normal, degrees
      */
     SurfaceColors(
-            DiffractionSetup setup, Choices choices, RefractiveIndex index, Choices light, double theta, Range angles) {
+            DiffractionSetup setup,
+            GratingPeriod found,
+            Choices choices,
+            RefractiveIndex index,
+            Choices light,
+            double theta,
+            Range angles) {
         window = GaussianArea.of(choices).window();
         angleStep = angles.step();
         directions = (int) Math.ceil(
@@ -96,7 +103,7 @@ final class SurfaceColors {
         this.index = index;
         this.theta = theta;
         turn = light.get(SceneSettings.ROTATE_PATCH);
-        period = GratingPeriod.of(setup.patch()).turned(turn);
+        period = found.turned(turn);
         reach = window.mirrorReach(period.isSeen() ? period.period() : 0);
         azimuthDegrees = Math.toDegrees(period.hasWave() ? period.azimuth() : turn);
         lightAzimuthDegrees = light.find(LightOptions.PHI_I).map(Math::toDegrees);

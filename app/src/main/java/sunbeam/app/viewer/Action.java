@@ -79,6 +79,7 @@ enum Action {
     CONE(Group.VIEW, "show or hide the light's cone", "C", Overlay.CONE),
     STROKES(Group.VIEW, "show or hide how the nanostructure lies", "N", Overlay.STROKES),
     MAP(Group.VIEW, "show or hide the BRDF map", "M", Overlay.MAP),
+    INSPECTION(Group.VIEW, "show the picture of inspect", "I", viewer -> viewer.inspections.show()),
     HELP(Group.HELP, "list mouse and keys", "F1, typed ?", viewer -> Help.show(viewer.window));
 
     private static final String ARROWS = "arrows";
@@ -205,6 +206,7 @@ enum Action {
             case UNDO -> viewer.model.canUndo();
             case REDO -> viewer.model.canRedo();
             case COPY -> viewer.inspector.point().isPresent();
+            case INSPECTION -> viewer.inspections.inspection.isPresent();
             default -> true;
         };
     }

@@ -142,8 +142,10 @@ public final class FileActions {
         Choices named = Choices.at(ControlOrigin.INSTANCE)
                 .with(PatchSettings.PATCH, file.toAbsolutePath().toString());
         boolean hasScales = file.toString().toLowerCase(Locale.ROOT).endsWith(".json") || PatchLoader.isScan(file);
-        (hasScales ? Optional.of(named) : askForScales(file, named))
-                .ifPresent(choices -> model.change(scene -> scene.withOwnPatch(new PatchRequest(choices))));
+        (hasScales ? Optional.of(named) : askForScales(file, named)).ifPresent(choices -> {
+            viewer.inspections.awaitPatch();
+            model.change(scene -> scene.withOwnPatch(new PatchRequest(choices)));
+        });
     }
 
     /** Adds the scales of an image, which a dialog asks for until they can be used; empty if the user cancels it. */

@@ -177,6 +177,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
 
     @Override
     public void problem(String message) {
+        viewer.inspections.cancel();
         window.status.message(message);
         if (model.loaded().isEmpty()) {
             noPicture(message);
@@ -295,6 +296,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
                     .orElse(" ");
             window.status.caption(verdict);
         });
+        viewer.inspections.showIfAwaited();
         map.markOrders();
         viewer.inspector.describe();
     }

@@ -19,11 +19,13 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import jrtr.GraphicsException;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.PlotFont;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneShape;
@@ -39,7 +41,9 @@ import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.work.BackgroundTask;
+import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.patch.Patch;
 
 /** Viewer: creates and connects window, model and render thread. Its instances are used on the event thread only. */
 public final class Viewer {
@@ -56,6 +60,7 @@ public final class Viewer {
     final PointInspector inspector;
     final ScenePresenter presenter;
     final PatchPeriods periods = new PatchPeriods(this);
+    final InspectionWindow inspections = new InspectionWindow(this);
     final Player player;
     final StartJournal journal;
     final Background loading = new Background("loading");
@@ -111,10 +116,21 @@ public final class Viewer {
         SwingUtilities.invokeLater(() -> news.accept(presenter));
     }
 
-    /** Shows a scene and waits until its window is closed; without a size of the picture, the window has its own. */
-    public static void show(Scene scene, Environment environment, Consumer<String> warning, Dimension pictureSize)
+    /**
+     * Shows a scene and waits until its window is closed; without a size of the picture, the window has its own.
+     *
+     * @param inspection draws what is known of a patch and its period
+     */
+    public static void show(
+            Scene scene,
+            Environment environment,
+            Consumer<String> warning,
+            Dimension pictureSize,
+            BiFunction<Patch, GratingPeriod, Drawing> inspection)
             throws InterruptedException {
-        open(scene, environment, warning, pictureSize).awaitEnd(PATIENCE_MILLISECONDS);
+        Viewer viewer = open(scene, environment, warning, pictureSize);
+        SwingUtilities.invokeLater(() -> viewer.inspections.inspection = Optional.of(inspection));
+        viewer.awaitEnd(PATIENCE_MILLISECONDS);
     }
 
     /** Shows a scene in a {@link Kiosk} and waits until it is closed. */
@@ -255,6 +271,7 @@ public final class Viewer {
         inspector.stop();
         measuring.close();
         periods.close();
+        inspections.close();
         presenter.noPicture("the window was closed");
         closed.countDown();
     }

@@ -8,9 +8,14 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 import javax.swing.JComboBox;
 import javax.swing.JDialog;
@@ -19,7 +24,10 @@ import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.cli.InspectCommand;
+import sunbeam.app.cli.program.Sunbeam;
 import sunbeam.app.files.input.PngText;
+import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.setting.Choices;
@@ -77,6 +85,30 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
                     new MouseEvent(caption, MouseEvent.MOUSE_PRESSED, 0, InputEvent.BUTTON1_DOWN_MASK, 1, 1, 1, false));
         });
         assertThat(message()).contains("coarse: ", "slopes");
+    }
+
+    @Test
+    void anOpenedScanIsShownAsInspectDrawsIt() throws Exception {
+        Path file = Pictures.descriptor(folder, "waves");
+        Path written = folder.resolve("inspected.png");
+        PrintWriter nowhere = new PrintWriter(new StringWriter());
+        assertThat(new Sunbeam(environment(), nowhere, nowhere)
+                        .run("inspect", file.toString(), "--output", written.toString()))
+                .isZero();
+        List<BufferedImage> drawn = new ArrayList<>();
+        onEvents(() -> viewer.inspections.inspection = Optional.of((patch, period) -> {
+            Drawing drawing = InspectCommand.picture(patch, period);
+            drawn.add(drawing.rasterize());
+            return drawing;
+        }));
+
+        load(file);
+
+        JDialog shown = Dialogs.await("Inspection of waves");
+        assertThat(drawn).hasSize(1);
+        assertThat(different(ImageIO.read(written.toFile()), drawn.get(0), false))
+                .isZero();
+        onEvents(shown::dispose);
     }
 
     private JLabel caption() {

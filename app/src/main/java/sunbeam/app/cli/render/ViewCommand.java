@@ -6,6 +6,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import sunbeam.app.cli.InspectCommand;
 import sunbeam.app.cli.PictureSize;
 import sunbeam.app.cli.ReportingCommand;
 import sunbeam.app.cli.SettingOptions;
@@ -77,7 +78,7 @@ public final class ViewCommand extends ReportingCommand {
         if (kiosk) {
             Viewer.showKiosk(first, environment(), warning);
         } else if (measure == null) {
-            Viewer.show(first, environment(), warning, pictureSize);
+            Viewer.show(first, environment(), warning, pictureSize, InspectCommand::picture);
         } else {
             out().println(Viewer.measure(first, environment(), warning, pictureSize, measure));
         }
