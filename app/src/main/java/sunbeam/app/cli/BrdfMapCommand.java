@@ -4,7 +4,6 @@ import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 
-import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -86,7 +85,9 @@ public final class BrdfMapCommand extends FileCommand {
             names = "--size",
             paramLabel = "PIXELS",
             defaultValue = "512",
-            description = "Width and height of the map. Default: ${DEFAULT-VALUE}.")
+            description =
+                    "Width and height of the map. From 1024 on most maps have method table unless another is given, at the"
+                            + " same tolerance. Default: ${DEFAULT-VALUE}.")
     private int size;
 
     @Mixin
@@ -130,13 +131,33 @@ public final class BrdfMapCommand extends FileCommand {
                             + " width x 3, row 0 on top, CIE XYZ, NaN outside the disc; or FILE.exr, Rec. 709 and alpha.")
     private Path linear;
 
+    // Whether large maps may have method table without the user's choice.
+    private boolean mayChooseTable;
+
     /** A patch with its choices: a scan's size limits the coherence length. */
     private record Surface(DiffractionSetup setup, Choices choices) {}
 
     @Override
     public Integer call() {
         Choices choices = turn.choices().over(MethodOptions.averaged(methodOptions.choices()));
-        return choices.located(() -> draw(choices));
+        mayChooseTable = LargeMap.mayHaveTable(size, choices);
+        return choices.located(() -> {
+            try {
+                return draw(choices);
+            } catch (LargeMap.TableMissed missed) {
+                mayChooseTable = false;
+                return draw(choices);
+            }
+        });
+    }
+
+    private Surface surface(DiffractionSetup setup, Choices choices, Direction towards) {
+        Direction inPatch = towards.turned(-choices.get(ROTATE_PATCH));
+        return Optional.of(choices)
+                .filter(open -> mayChooseTable)
+                .flatMap(open -> LargeMap.byTable(setup, open, inPatch))
+                .map(byTable -> new Surface(LargeMap.strict(setup), byTable))
+                .orElse(new Surface(setup, choices));
     }
 
     private int draw(Choices asked) {
@@ -155,7 +176,7 @@ public final class BrdfMapCommand extends FileCommand {
                 .load(patchOptions, asked, environment().progress())
                 .stream()
                 .map(patch -> new DiffractionSetup(patch, environment(), err).withLight(spectrum))
-                .map(setup -> new Surface(setup, setup.limitToScan(asked, err)))
+                .map(setup -> surface(setup, setup.limitToScan(asked, err), towards))
                 .toList();
         List<Patch> patches =
                 surfaces.stream().map(surface -> surface.setup.patch()).toList();
@@ -205,12 +226,12 @@ public final class BrdfMapCommand extends FileCommand {
             String shared = compared.areSeveral() ? ", automatic, one for all" : ", automatic";
             String exposed = "exposure " + Decimals.rounded(factor, 3) + (exposure.isAutomatic() ? shared : "");
             Optional<String> other = Optional.of(index.describe(material)).filter(words -> !material.isStandard());
-            BufferedImage plain = sheet.plain();
-            Drawing drawing = annotate ? sheet.annotated(other, exposed, asked, page.width()) : Drawing.of(plain);
+            Drawing drawing =
+                    annotate ? sheet.annotated(other, exposed, asked, page.width()) : Drawing.of(sheet.plain());
             // Without annotation, a bitmap is transparent around the disc.
             StreamContent content = annotate || !Ending.ofPicture(picture).equals("png")
                     ? PictureFile.of(picture, drawing, page.width(), text)
-                    : stream -> PngWriter.write(stream, plain, text, plain.getWidth() / page.width());
+                    : stream -> PngWriter.write(stream, sheet.plain(), text, drawing.width() / page.width());
             Path written = write(picture, content, text, first);
             List<Integer> thumbnail = List.of(0, 0, drawing.width(), drawing.width());
             fields.stream().limit(1).forEach(surface -> surface.put("thumbnail_px", thumbnail));
@@ -274,14 +295,16 @@ public final class BrdfMapCommand extends FileCommand {
     private MaterialMap plan(Surface surface, RefractiveIndex material, Direction towards) {
         MaterialMap map = new MaterialMap(surface.setup, surface.choices, material, towards);
         String name = compared.areSeveral() ? surface.setup.patch().name() : "";
-        methodOptions.print(name, map.plan(), map.summary(), err());
+        boolean isChosen = mayChooseTable && surface.choices.has(Methods.METHOD);
+        String reason = isChosen ? "; faster than method full for a large map" : "";
+        methodOptions.print(name, map.plan(), map.summary() + reason, err());
         return map;
     }
 
     private Map<String, Object> fields(Surface surface) {
         double theta = light.degrees(LightOptions.THETA_I);
         Patch patch = surface.setup.patch();
-        GratingPeriod period = GratingPeriod.of(patch).turned(surface.choices.get(ROTATE_PATCH));
+        GratingPeriod period = cachedPeriod(patch).turned(surface.choices.get(ROTATE_PATCH));
         double phi = light.degrees(LightOptions.PHI_I);
         Verdict verdict = Verdict.of(patch, period, theta, phi - Math.toDegrees(period.azimuth()));
         Map<String, Object> fields = JsonOption.fields(patch, period, verdict);

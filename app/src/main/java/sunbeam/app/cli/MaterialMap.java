@@ -220,7 +220,7 @@ final class MaterialMap {
     }
 
     Result draw(RenderContext context, int size) {
-        float[] sum = new float[3 * size * size];
+        LinearPicture sum = null;
         double sigma = 0;
         List<String> trials = new ArrayList<>();
         for (int i = 0; i < parts.size(); i++) {
@@ -231,41 +231,55 @@ final class MaterialMap {
             try (UploadedTables tables = UploadedTables.upload(context, made);
                     BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, choices.get(ROTATE_PATCH));
                     Progress progress = setup.progress().start(label, (long) size * size)) {
-                add(renderer.render(part.point.towards, progress::step), part, sum);
+                LinearPicture map = renderer.render(part.point.towards, progress::step);
+                sum = sum == null ? scaled(map, part) : sum.plus(scaled(map, part));
                 sigma = tables.tables().windowSigma();
             }
         }
         boolean isPoint = parts.get(0).point.choices.equals(choices);
         double length = isPoint ? 4 * sigma : GaussianArea.windowOf(choices).coherenceLength();
         String trial = trials.stream().filter(line -> !line.isEmpty()).collect(Collectors.joining("; "));
-        LinearPicture picture = new LinearPicture(size, size, sum);
-        return new Result(setup.patch(), light, method, summary(), trial, length, picture);
+        return new Result(setup.patch(), light, method, summary(), trial, length, sum);
     }
 
-    private void add(LinearPicture map, Part part, float[] sum) {
-        DiscDirections directions = new DiscDirections(map.width(), part.point.towards);
-        for (int pixel = 0; pixel < sum.length / 3; pixel++) {
-            // The standard material's map stays as drawn, to the last bit.
-            boolean scaled = map.covered(pixel) && !index.isStandard();
-            double factor = part.point.share * (scaled ? part.reflection.overStandard(directions.at(pixel)) : 1);
-            for (int c = 3 * pixel; c < 3 * pixel + 3; c++) {
-                sum[c] += (float) (factor * map.xyz()[c]);
-            }
+    /** Multiplies a map by its share of the light, and by the material's reflectance over the standard one's. */
+    private LinearPicture scaled(LinearPicture map, Part part) {
+        boolean isStandard = index.isStandard();
+        if (isStandard && part.point.share == 1) {
+            return map;
         }
+        DiscDirections directions = new DiscDirections(map.width(), part.point.towards);
+        IntStream.range(0, map.width() * map.height())
+                .parallel()
+                .filter(map::covered)
+                .forEach(pixel -> {
+                    double factor =
+                            part.point.share * (isStandard ? 1 : part.reflection.overStandard(directions.at(pixel)));
+                    for (int c = 3 * pixel; c < 3 * pixel + 3; c++) {
+                        map.xyz()[c] = (float) (factor * map.xyz()[c]);
+                    }
+                });
+        return map;
     }
 
-    record MapSheet(List<Result> maps, DisplayTransform display) {
+    /** @param discs the pictures of the maps, in their order */
+    record MapSheet(List<Result> maps, DisplayTransform display, List<BufferedImage> discs) {
         private static final int MOST_COLUMNS = 2;
         private static final int GAP = 8;
 
+        MapSheet(List<Result> maps, DisplayTransform display) {
+            this(
+                    maps,
+                    display,
+                    maps.stream().map(map -> map.picture().shown(display)).toList());
+        }
+
         /** Draws the discs alone, side by side, at most two in a row, transparent between them. */
         BufferedImage plain() {
-            List<BufferedImage> pictures =
-                    maps.stream().map(map -> map.picture().shown(display)).toList();
-            if (pictures.size() == 1) {
-                return pictures.get(0);
+            if (discs.size() == 1) {
+                return discs.get(0);
             }
-            Drawing sheet = sheet(pictures.stream().map(Drawing::of).toList());
+            Drawing sheet = sheet(discs.stream().map(Drawing::of).toList());
             BufferedImage image = new BufferedImage(sheet.width(), sheet.height(), BufferedImage.TYPE_INT_ARGB);
             sheet.drawAt(image.createGraphics(), 0, 0);
             return image;
@@ -277,11 +291,11 @@ final class MaterialMap {
                     .over(asked.only(List.of(SceneSettings.ROTATE_PATCH, SceneSettings.ANGULAR_DIAMETER)));
             String remarks = (light.chosen().isEmpty() ? "" : light.describe() + "; ")
                     + index.map(words -> "refractive index " + words + "; ").orElse("");
-            return sheet(maps.stream()
-                    .map(map -> new MapAnnotation(
-                                    map.picture().shown(display),
-                                    map.light(),
-                                    caption(map, remarks, asked, exposed),
+            return sheet(IntStream.range(0, maps.size())
+                    .mapToObj(i -> new MapAnnotation(
+                                    discs.get(i),
+                                    maps.get(i).light(),
+                                    caption(maps.get(i), remarks, asked, exposed),
                                     width / Math.min(MOST_COLUMNS, maps.size()))
                             .draw())
                     .toList());
@@ -319,9 +333,9 @@ final class MaterialMap {
         }
 
         Optional<Patch> black() {
-            return maps.stream()
-                    .filter(map -> FileCommand.isBlack(map.picture().shown(display)))
-                    .map(Result::patch)
+            return IntStream.range(0, maps.size())
+                    .filter(i -> FileCommand.isBlack(discs.get(i)))
+                    .mapToObj(i -> maps.get(i).patch())
                     .findFirst();
         }
 

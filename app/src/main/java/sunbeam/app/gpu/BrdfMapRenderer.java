@@ -71,7 +71,12 @@ public record BrdfMapRenderer(
 
     /** Returns the drawn map: linear XYZ of rho, NaN outside the disc. */
     public LinearPicture picture() {
-        return LinearPicture.ofRgba(size, size, UploadedTables.requireWholeSums(target.read(0)));
+        LinearPicture picture = new LinearPicture(size, size, new float[3 * size * size]);
+        for (int top = 0; top < size; top += SIDE) {
+            Tile rows = new Tile(0, top, size, Math.min(SIDE, size - top));
+            picture.setRgba(top * size, UploadedTables.requireWholeSums(target.read(0, rows)));
+        }
+        return picture;
     }
 
     public int coveredPixels() {

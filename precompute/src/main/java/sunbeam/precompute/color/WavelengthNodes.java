@@ -25,13 +25,13 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
         return wavelengths.length;
     }
 
-    /** Integrates a power, by the wavelength in meters, to X, Y, Z. */
+    /** Integrates a power, by the wavelength in meters, to X, Y, Z; evaluates it on all processors. */
     public double[] sum(DoubleUnaryOperator power) {
+        double[] powers = Arrays.stream(wavelengths).parallel().map(power).toArray();
         double[] sum = new double[3];
-        for (int i = 0; i < wavelengths.length; i++) {
-            double value = power.applyAsDouble(wavelengths[i]);
+        for (int i = 0; i < powers.length; i++) {
             for (int c = 0; c < 3; c++) {
-                sum[c] += value * weights[i][c];
+                sum[c] += powers[i] * weights[i][c];
             }
         }
         return sum;

@@ -1,6 +1,7 @@
 package sunbeam.app.gpu.picture;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.DisplayTransform;
@@ -12,16 +13,22 @@ public record LinearPicture(int width, int height, float[] xyz) {
 
     private static final double DARKER = 0.5;
 
-    /** Converts RGBA of a render target; alpha 0 means no surface. */
-    public static LinearPicture ofRgba(int width, int height, float[] rgba) {
-        float[] xyz = new float[3 * width * height];
-        for (int i = 0; i < width * height; i++) {
+    /** Sets pixels from {@code first} on to RGBA of a render target; alpha 0 means no surface. */
+    public void setRgba(int first, float[] rgba) {
+        for (int i = 0; i < rgba.length / 4; i++) {
             boolean covered = rgba[4 * i + 3] > 0;
             for (int c = 0; c < 3; c++) {
-                xyz[3 * i + c] = covered ? rgba[4 * i + c] : Float.NaN;
+                xyz[3 * (first + i) + c] = covered ? rgba[4 * i + c] : Float.NaN;
             }
         }
-        return new LinearPicture(width, height, xyz);
+    }
+
+    /** Adds another picture of the same size to this one, and returns this. */
+    public LinearPicture plus(LinearPicture other) {
+        for (int i = 0; i < xyz.length; i++) {
+            xyz[i] += other.xyz[i];
+        }
+        return this;
     }
 
     public boolean covered(int pixel) {
@@ -34,7 +41,10 @@ public record LinearPicture(int width, int height, float[] xyz) {
 
     /** Returns the picture in sRGB; transparent where there is no surface. */
     public BufferedImage shown(DisplayTransform display) {
-        int[] argb = new int[width * height];
+        boolean opaque = IntStream.range(0, width * height).allMatch(this::covered);
+        BufferedImage image =
+                new BufferedImage(width, height, opaque ? BufferedImage.TYPE_INT_RGB : BufferedImage.TYPE_INT_ARGB);
+        int[] argb = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         IntStream.range(0, height).parallel().forEach(row -> {
             double[] light = new double[3];
             for (int pixel = row * width; pixel < (row + 1) * width; pixel++) {
@@ -44,10 +54,6 @@ public record LinearPicture(int width, int height, float[] xyz) {
                 }
             }
         });
-        boolean opaque = IntStream.range(0, argb.length).allMatch(this::covered);
-        BufferedImage image =
-                new BufferedImage(width, height, opaque ? BufferedImage.TYPE_INT_RGB : BufferedImage.TYPE_INT_ARGB);
-        image.getRaster().setDataElements(0, 0, width, height, argb);
         return image;
     }
 
@@ -60,13 +66,22 @@ public record LinearPicture(int width, int height, float[] xyz) {
      * changes little.
      */
     public static double exposure(LinearPicture... pictures) {
-        double[] luminances = Arrays.stream(pictures)
-                .flatMapToDouble(picture ->
-                        IntStream.range(0, picture.width * picture.height).mapToDouble(picture::luminance))
-                .filter(luminance -> luminance > 0 && Double.isFinite(luminance))
-                .sorted()
-                .toArray();
-        double[] roots = Arrays.stream(luminances).map(Math::cbrt).toArray();
+        float[] luminances = new float
+                [Arrays.stream(pictures)
+                        .mapToInt(picture -> picture.width * picture.height)
+                        .reduce(0, Math::addExact)];
+        int count = 0;
+        for (LinearPicture picture : pictures) {
+            for (int pixel = 0; pixel < picture.width * picture.height; pixel++) {
+                float luminance = picture.luminance(pixel);
+                if (luminance > 0 && Float.isFinite(luminance)) {
+                    luminances[count++] = luminance;
+                }
+            }
+        }
+        Arrays.parallelSort(luminances, 0, count);
+        double[] roots = new double[count];
+        Arrays.parallelSetAll(roots, i -> Math.cbrt(luminances[i]));
         double all = Arrays.stream(roots).sum();
         if (!(all > 0)) {
             return 1;
