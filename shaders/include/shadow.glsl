@@ -6,6 +6,9 @@
 // Depth of the first surface that the light meets, 0 to 1, in tiles, one for each group.
 uniform sampler2D shadowMap;
 
+// Number of the sample, from 1, in a picture that is the mean of several; 0 in one without.
+uniform float shadowSample;
+
 // SHADOW_TAPS: texels of the map that are compared; a define, so that compilers unroll the loops. SHADOW_QUADS: defined by
 // shaders that call quadVisibility.
 
@@ -25,13 +28,13 @@ const mat2 GOLDEN_TURN = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888)
 // Direction of the first tap: one of four turns for each fragment of a square of 2 x 2 (quadVisibility).
 vec2 firstOnDisc(vec2 pixel) {
     vec2 odd = mod(floor(pixel), 2.0);
-    float angle = 1.57079633 * (odd.x + 2.0 * odd.y);
+    float angle = 1.57079633 * (odd.x + 2.0 * odd.y) + 2.39996323 * shadowSample;
     return vec2(cos(angle), sin(angle));
 }
 #else
 // Direction of the first tap; it differs from pixel to pixel (Jimenez 2014), which hides banding.
 vec2 firstOnDisc(vec2 pixel) {
-    float angle = 6.28318531 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
+    float angle = 6.28318531 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))) + 0.61803399 * shadowSample);
     return vec2(cos(angle), sin(angle));
 }
 #endif
@@ -92,14 +95,15 @@ vec2 quadSum(vec2 value) {
     return 2.0 * row + toOther.y * dFdy(row);
 }
 
-// Mean visibility of the lit fragments of a square. All squares have the same taps, so that edges of shadows have no grain. To be called by
-// all fragments, with isLit false where no light arrives anyway.
+// Mean visibility of the lit fragments of a square. All squares have the same taps, so that edges of shadows have no grain; a sample of
+// several has its own visibility, since its taps differ from those of the others. To be called by all fragments, with isLit false where no
+// light arrives anyway.
 float quadVisibility(int group, vec3 world, vec3 normal, bool isLit) {
     vec2 own = vec2(0.0);
     if (isLit) {
         own = vec2(visibility(group, world, normal, gl_FragCoord.xy), 1.0);
     }
-    vec2 sum = quadSum(own);
+    vec2 sum = shadowSample > 0.0 ? own : quadSum(own);
     return sum.y > 0.5 ? sum.x / sum.y : 1.0;
 }
 #endif

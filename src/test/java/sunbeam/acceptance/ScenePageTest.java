@@ -9,6 +9,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.Base64;
+import java.util.stream.IntStream;
 import java.util.zip.InflaterInputStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeAll;
@@ -19,13 +20,14 @@ import sunbeam.precompute.color.CieLab;
 
 /** A page of a scene holds all that it needs, and shows what {@code render} draws. */
 class ScenePageTest extends InOneWorkplace {
-    private static final String OBJECT = "\"mesh\": \"sphere\", \"patch\": \"elaphe-like\", \"texture\": \"elaphe\"";
+    private static final String OBJECT = "\"mesh\": \"sphere\", \"patch\": \"elaphe-like\", \"texture\": \"bands.png\"";
 
+    private static String report;
     private static String page;
 
     private static void scene(String name, String keys) throws IOException {
         Files.writeString(workplace.resolve(name), """
-                { "camera": { "position": ["10 cm", "-30 cm", "15 cm"], "lookAt": ["0 cm", "0 cm", "2 cm"], "up": [0, 0, 1], "fieldOfView": "24 deg" },
+                { "camera": { "position": ["10 cm", "-30 cm", "15 cm"], "lookAt": ["0 cm", "0 cm", "2 cm"], "up": [0, 0, 1], "fieldOfView": "40 deg" },
                   "light": { "direction": [0.5, -0.4, 0.7] }, "roughness": "3 deg",
                   "weights": { "diffraction": 9000, "texture": 0.8, "diffuse": 0.6, "ambient": 0.1 },
                   "ground": "#9a8a74", "sky": 0.4, "shadows": true, %s }
@@ -34,8 +36,15 @@ class ScenePageTest extends InOneWorkplace {
 
     @BeforeAll
     static void export() throws IOException {
+        BufferedImage bands = new BufferedImage(4200, 16, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 4200 * 16; i++) {
+            bands.setRGB(i % 4200, i / 4200, i % 4200 / 300 % 2 == 0 ? 0x8a3020 : 0x202020);
+        }
+        ImageIO.write(bands, "png", workplace.resolve("bands.png").toFile());
         scene("ball.json", OBJECT);
-        workplace.succeedHere("export ball.json --format html --output ball.html --tolerance 0.1");
+        report = workplace
+                .succeedHere("export ball.json --format html --output ball.html --tolerance 0.1")
+                .stdout();
         page = Files.readString(workplace.resolve("ball.html"));
     }
 
@@ -66,6 +75,7 @@ class ScenePageTest extends InOneWorkplace {
                     .as(texture)
                     .isNotNull();
         }
+        assertThat(report).contains("bodyTexture of 4200 x 16 texels is reduced to a longer side of 4096");
         assertThat(page.length()).isLessThan(6_000_000);
         assertThat(page)
                 .doesNotContain("http")
@@ -96,6 +106,27 @@ class ScenePageTest extends InOneWorkplace {
         assertThat(colored).as("pixels of a strong color").isGreaterThan(500);
         // One is what an eye just sees.
         assertThat(sum / (320 * 240)).as("mean CIEDE2000").isLessThan(1);
+        // Means of the samples' taps have no pattern, those of the squares of 2 x 2 pixels of some drivers have one.
+        assertThat(checkerboard(shown)).as("pattern of the shadow").isLessThan(1.5 * checkerboard(drawn));
+    }
+
+    /** Returns the mean difference of the two diagonals of squares of 2 x 2 pixels that are nearly gray, as the ground is. */
+    private static double checkerboard(BufferedImage image) {
+        return IntStream.range(0, (image.getWidth() - 1) * (image.getHeight() - 1))
+                .mapToObj(i -> {
+                    int x = i % (image.getWidth() - 1);
+                    int y = i / (image.getWidth() - 1);
+                    return IntStream.of(0, 1, 2, 3)
+                            .mapToObj(corner -> CieLab.ofSrgb(image.getRGB(x + corner % 2, y + corner / 2)))
+                            .toList();
+                })
+                .filter(corners -> corners.stream().allMatch(color -> Math.hypot(color.a(), color.b()) < 12))
+                .mapToDouble(corners -> Math.abs(corners.get(0).lightness()
+                        - corners.get(1).lightness()
+                        - corners.get(2).lightness()
+                        + corners.get(3).lightness()))
+                .average()
+                .orElseThrow();
     }
 
     @ParameterizedTest
@@ -104,7 +135,7 @@ class ScenePageTest extends InOneWorkplace {
             value = {
                 "4|two.json --format html --output x.html|scene two.json has no page: objects: 2 of them, and a page holds one",
                 "2|ball.json --format npz --output x.npz|ball.json' is a scene, which --format html shows",
-                "2|ball.json --format html --size 50KB --output x.html|give a simpler mesh, or a larger --size",
+                "2|ball.json --format html --size 50KB --output x.html|give a simpler mesh or smaller textures, or a larger --size",
                 "2|blaze --scene disc --format html --output x.html|both name what is shown"
             })
     void whatHasNoPageIsRefusedInOneLine(int code, String command, String reason) throws IOException {

@@ -113,7 +113,10 @@ final class HtmlTable implements TableWriter {
         values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
         values.put("SCENE", scene.map(PageScene::elements).orElse(""));
         String page = ShaderText.fill(ShaderText.of("page.html", metadata, doublings()), values);
-        return new Output(Map.of(".html", StreamContent.of(page)), metadata);
+        return new Output(
+                Map.of(".html", StreamContent.of(page)),
+                scene.map(PageScene::notes).orElse(List.of()),
+                metadata.errors().sums());
     }
 
     private String shaders(TableMetadata metadata) {

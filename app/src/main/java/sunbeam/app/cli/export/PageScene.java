@@ -7,6 +7,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Base64;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -29,8 +30,9 @@ import sunbeam.precompute.patch.Patch;
  *
  * @param exposure that of {@code render} at its default size
  * @param elements scripts that hold the compressed mesh and the textures
+ * @param notes a line for each texture that is reduced
  */
-record PageScene(Patch patch, double exposure, Map<String, Object> fields, String elements) {
+record PageScene(Patch patch, double exposure, Map<String, Object> fields, String elements, List<String> notes) {
     // Share of a page that mesh and textures may take, so that the table has the rest.
     private static final double MOST_SHARE = 0.75;
     // In texels, as telephones hold.
@@ -50,13 +52,14 @@ record PageScene(Patch patch, double exposure, Map<String, Object> fields, Strin
                         .exposure(session.data().scene(), WIDTH, HEIGHT, TimedTiles.large(), () -> false)
                         .orElseThrow();
                 WebScene scene = WebScene.of(session.data(), exposure);
-                PageScene page = new PageScene(session.data().patch(), exposure, scene.fields(), elements(scene));
+                PageScene page =
+                        new PageScene(session.data().patch(), exposure, scene.fields(), elements(scene), notes(scene));
                 UsageException.throwIf(
                         page.bytes() > MOST_SHARE * mostBytes,
                         "scene " + name + " takes " + ByteSize.format(page.bytes()) + " of a page of "
-                                + ByteSize.format(mostBytes) + " ("
+                                + ByteSize.format(mostBytes) + ", its mesh of "
                                 + session.data().shape().whole().triangles()
-                                + " triangles, " + "textures); give a simpler mesh, or a larger --size");
+                                + " triangles and its textures; give a simpler mesh or smaller textures, or a larger --size");
                 return page;
             } finally {
                 sessions.forEach(SceneSession::close);
@@ -66,6 +69,21 @@ record PageScene(Patch patch, double exposure, Map<String, Object> fields, Strin
 
     long bytes() {
         return elements.length();
+    }
+
+    private static List<String> notes(WebScene scene) {
+        return new TreeMap<>(scene.textures())
+                .entrySet().stream()
+                        .filter(texture -> side(texture.getValue()) > LARGEST_SIDE)
+                        .map(texture ->
+                                texture.getKey() + " of " + texture.getValue().width() + " x "
+                                        + texture.getValue().height() + " texels is reduced to a longer side of "
+                                        + LARGEST_SIDE + ", as graphics cards of telephones hold")
+                        .toList();
+    }
+
+    private static int side(BodyTexture texture) {
+        return Math.max(texture.width(), texture.height());
     }
 
     private static String elements(WebScene scene) {
