@@ -128,6 +128,9 @@ public final class BenchmarkCommand extends FileCommand {
         // All patches are read and checked first: measuring one takes minutes.
         List<String> standard = complexity ? PATCHES.subList(0, 1) : PATCHES;
         List<Patch> patches = patchOptions.load(names.isEmpty() ? standard : names, asked);
+        if (output != null) {
+            BenchmarkPage.requireRoom(output, patches.size(), page);
+        }
         try (RenderContext context = RenderContext.offscreen()) {
             Meter meter = new Meter(context, size, light.direction());
             BenchmarkPage results = new BenchmarkPage(context.info().renderer(), light.describe(), size, samples);

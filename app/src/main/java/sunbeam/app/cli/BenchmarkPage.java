@@ -16,6 +16,7 @@ import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.files.plot.Drawing;
+import sunbeam.app.files.plot.PictureFile;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Plot.Axis;
 import sunbeam.app.terminal.UsageException;
@@ -38,6 +39,14 @@ final class BenchmarkPage {
 
     /** Plot of a patch's rows, and the end of its file's name; null if nothing is to draw. */
     private record Section(String text, List<Measurement> rows, Plot plot, String name) {}
+
+    /** Refuses, before anything is measured, a picture that the plots of so many patches would not fit into. */
+    static void requireRoom(Path page, int patches, PageOptions options) {
+        if (Ending.PICTURE.isOf(page)) {
+            int height = (int) (RATIO * options.pixels());
+            PictureFile.requireSize(page, options.pixels(), (long) patches * height, options.width());
+        }
+    }
 
     static void checkWritable(Path page, Overwrite overwrite) {
         if (Ending.PICTURE.isOf(page)) {

@@ -18,6 +18,21 @@ public final class PictureFile {
     private PictureFile() {}
 
     /**
+     * Refuses a size in pixels, with a printed width in meters.
+     *
+     * @throws UsageException if the picture is too high for a page or too large for a bitmap
+     */
+    public static void requireSize(Path file, int width, long height, double printedWidth) {
+        double printedHeight = printedWidth * height / width;
+        boolean bitmap = Ending.ofPicture(file).equals("png");
+        UsageException.throwIf(
+                bitmap ? width * height > MOST_PIXELS : printedHeight > LARGEST_PAGE,
+                Text.format(
+                        "%s would be %.1f m high, too much for %s; draw fewer surfaces or one --panel",
+                        file, printedHeight, bitmap ? "a bitmap" : "a page"));
+    }
+
+    /**
      * Returns the content of a file in the format that its ending names.
      *
      * @param width printed width, meters
@@ -25,15 +40,8 @@ public final class PictureFile {
      * @throws UsageException if the picture is too high for a page or too large for a bitmap
      */
     public static StreamContent of(Path file, Drawing drawing, double width, Map<String, String> text) {
-        double height = width * drawing.height() / drawing.width();
-        String ending = Ending.ofPicture(file);
-        boolean bitmap = ending.equals("png");
-        UsageException.throwIf(
-                bitmap ? (long) drawing.width() * drawing.height() > MOST_PIXELS : height > LARGEST_PAGE,
-                Text.format(
-                        "%s would be %.1f m high, too much for %s; draw fewer surfaces or one --panel",
-                        file, height, bitmap ? "a bitmap" : "a page"));
-        return switch (ending) {
+        requireSize(file, drawing.width(), drawing.height(), width);
+        return switch (Ending.ofPicture(file)) {
             case "pdf" -> stream -> PdfFile.write(stream, drawing, width, text);
             case "svg" -> stream -> SvgFile.write(stream, drawing, width, text);
             default -> stream -> PngWriter.write(stream, drawing.rasterize(), text, drawing.width() / width);

@@ -21,12 +21,16 @@ import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.AxisState;
 import org.jfree.chart.axis.LogAxis;
+import org.jfree.chart.axis.LogTick;
 import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.NumberTick;
 import org.jfree.chart.axis.NumberTickUnit;
 import org.jfree.chart.axis.TickUnit;
 import org.jfree.chart.axis.TickUnits;
 import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.axis.ValueTick;
 import org.jfree.chart.block.BlockBorder;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.title.LegendTitle;
@@ -142,7 +146,7 @@ public final class PlotStyle {
             linear.setNumberFormatOverride(NUMBERS);
             axis = linear;
         } else {
-            LogAxis logarithmic = new LogAxis(typeset(description.label()));
+            LogAxis logarithmic = new PowerAxis(typeset(description.label()));
             logarithmic.setNumberFormatOverride(POWERS);
             axis = logarithmic;
         }
@@ -181,6 +185,33 @@ public final class PlotStyle {
             return widest
                     + getTickLabelInsets().getLeft()
                     + getTickLabelInsets().getRight();
+        }
+    }
+
+    /** Axis whose labels are centered on their ticks as those of linear axes; JFreeChart centers attributed labels a few pixels off. */
+    private static final class PowerAxis extends LogAxis {
+        private static final long serialVersionUID = 1;
+
+        PowerAxis(String label) {
+            super(label);
+        }
+
+        @Override
+        @SuppressWarnings({"rawtypes", "unchecked"}) // as JFreeChart declares it
+        public List refreshTicks(Graphics2D graphics, AxisState state, Rectangle2D area, RectangleEdge edge) {
+            List<ValueTick> ticks = super.refreshTicks(graphics, state, area, edge);
+            return ticks.stream().map(this::plain).toList();
+        }
+
+        private ValueTick plain(ValueTick tick) {
+            boolean isLabeled = tick instanceof LogTick attributed && attributed.getAttributedLabel() != null;
+            return new NumberTick(
+                    tick.getTickType(),
+                    tick.getValue(),
+                    isLabeled ? getNumberFormatOverride().format(tick.getValue()) : "",
+                    tick.getTextAnchor(),
+                    tick.getRotationAnchor(),
+                    0);
         }
     }
 
