@@ -22,14 +22,21 @@ import org.junit.jupiter.api.Test;
 
 /**
  * The archive for Windows, under Wine, from a folder whose name has blanks, umlauts and signs with a meaning in cmd; without a percent
- * sign, which Wine's cmd, unlike that of Windows, takes out of {@code %~dp0}. Skipped unless SUNBEAM_WINDOWS_JAVA names a Java runtime of
+ * sign, which Wine's cmd, unlike that of Windows, takes out of {@code %~dp0} and {@code %*}. Skipped unless SUNBEAM_WINDOWS_JAVA names a Java runtime of
  * Windows and Wine is installed; with the variable, {@code ./sunbeam test} also builds the archive.
  */
 class WindowsArchiveTest extends InOneWorkplace {
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final Duration PATIENCE = Duration.ofMinutes(3);
 
+    private static final String MAP = "brdf-map blaze --size 32 --quiet --output %s.png --linear %s.npy";
+    private static final String SCAN = "Gr\u00f6\u00dfe & x!.gsf";
+
     private static Path place;
+    // These run at once: under Wine most of a command's time is the start of Java, on one processor.
+    private static RunningSunbeam map;
+    private static RunningSunbeam inspection;
+    private static RunningSunbeam refusal;
 
     @BeforeAll
     static void unpack() throws Exception {
@@ -49,11 +56,18 @@ class WindowsArchiveTest extends InOneWorkplace {
             }
         }
         ended(0, wine("wineboot", "-i"));
+        grating(place.resolve(SCAN));
+        map = RunningSunbeam.start(onWindows(MAP.replace("%s", "windows").split(" ", -1)));
+        inspection = RunningSunbeam.start(onWindows("inspect", SCAN, "--json", "--output", "\u00c4hre.png"));
+        refusal = RunningSunbeam.start(onWindows("inspect", "K\u00e4fer.gsf"));
     }
 
     @AfterAll
     static void endWine() throws Exception {
         if (place != null) {
+            for (RunningSunbeam running : List.of(map, inspection, refusal)) {
+                running.close();
+            }
             wine("wineserver", "-k").start().waitFor();
             // Links to this machine's folders and devices, lest they outlive Wine in a folder that is deleted.
             try (Stream<Path> links = Files.list(root.resolve("wine/dosdevices"))) {
@@ -93,9 +107,8 @@ class WindowsArchiveTest extends InOneWorkplace {
 
     @Test
     void aMapHasTheNumbersOfLinux() throws Exception {
-        String command = "brdf-map blaze --size 32 --quiet --output %s.png --linear %s.npy";
-        ended(0, onWindows(command.replace("%s", "windows").split(" ", -1)));
-        workplace.command(command.replace("%s", "linux")).run().ended(0);
+        workplace.command(MAP.replace("%s", "linux")).run().ended(0);
+        map.end(PATIENCE).ended(0);
 
         NpyImage windows = NpyImage.read(place.resolve("windows.npy"), 32);
         NpyImage linux = NpyImage.read(workplace.resolve("linux.npy"), 32);
@@ -104,15 +117,11 @@ class WindowsArchiveTest extends InOneWorkplace {
     }
 
     @Test
-    void aScanWithAnUmlautHasTheVerdictOfLinux() throws Exception {
-        Path scan = grating(place.resolve("Gr\u00f6\u00dfe & x.gsf"));
-        Files.copy(scan, workplace.resolve("scan.gsf"));
-        SunbeamResult windows =
-                ended(0, onWindows("inspect", scan.getFileName().toString(), "--json", "--output", "\u00c4hre.png"));
-        SunbeamResult linux = workplace
-                .command("inspect scan.gsf --json --output scan.png")
-                .run()
-                .ended(0);
+    void aScanWithAnUmlautAndSignsOfCmdHasTheVerdictOfLinux() throws Exception {
+        Files.copy(place.resolve(SCAN), workplace.resolve("scan.gsf"));
+        SunbeamResult linux =
+                workplace.here("inspect scan.gsf --json --output scan.png").ended(0);
+        SunbeamResult windows = inspection.end(PATIENCE).ended(0);
 
         assertThat(place.resolve("\u00c4hre.png")).exists();
         for (String field : List.of("verdict", "period_m", "roughness_m")) {
@@ -138,7 +147,7 @@ class WindowsArchiveTest extends InOneWorkplace {
 
     @Test
     void aMissingFileIsOneLineAndItsExitCode() throws Exception {
-        SunbeamResult result = ended(SunbeamResult.UNUSABLE_INPUT, onWindows("inspect", "K\u00e4fer.gsf"));
+        SunbeamResult result = refusal.end(PATIENCE).ended(SunbeamResult.UNUSABLE_INPUT);
         assertThat(result.stderr()).contains("sunbeam: K\u00e4fer.gsf is neither");
     }
 
