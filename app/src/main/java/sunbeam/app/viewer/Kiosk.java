@@ -95,7 +95,9 @@ final class Kiosk {
         window.remove(window.status);
         window.add(caption, BorderLayout.SOUTH);
         window.add(buttons(), BorderLayout.LINE_START);
-        viewer.caption = caption::setText;
+        // Until the verdict is known, the scene's title.
+        viewer.caption =
+                text -> caption.setText(text.isBlank() ? viewer.model.scene().get(SceneSettings.TITLE) : text);
         window.setSize(Toolkit.getDefaultToolkit().getScreenSize());
         window.setLocation(0, 0);
     }

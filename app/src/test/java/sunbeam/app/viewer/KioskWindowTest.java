@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.render.LightCone;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.MeshSource;
 
 /** The viewer of an exhibition, in a real window, by touches that arrive as those of a mouse. */
@@ -72,6 +73,14 @@ final class KioskWindowTest extends ViewerInAWindow {
 
     @Test
     void aVisitorMovesTheLightPicksZoomsAndLeaves() throws Exception {
+        onEvents(() -> {
+            viewer.presenter.verdict = " ";
+            viewer.inspector.describe();
+        });
+        assertThat(caption())
+                .as("before the verdict")
+                .isEqualTo(modelScene().get(SceneSettings.TITLE))
+                .isNotBlank();
         onEvents(() -> {
             assertThat(viewer.window.isUndecorated()).isTrue();
             assertThat(viewer.window.getJMenuBar()).isNull();

@@ -141,7 +141,7 @@ public final class HeatMap {
         double unit = 0.015 * (values.yRange()[1] - values.yRange()[0]);
         double bottom = values.yRange()[0] + 3 * unit;
         renderer.addAnnotation(new XYBoxAnnotation(
-                left, bottom, left + length, bottom + unit, PlotStyle.stroke(2), SHADE, Color.WHITE));
+                left, bottom, left + length, bottom + unit, PlotStyle.stroke(2), Color.BLACK, Color.WHITE));
         XYTextAnnotation text = new XYTextAnnotation(PlotStyle.typeset(label), left, bottom + 3 * unit);
         text.setTextAnchor(TextAnchor.BOTTOM_LEFT);
         annotate(text);
