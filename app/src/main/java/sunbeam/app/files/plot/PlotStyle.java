@@ -134,7 +134,7 @@ public final class PlotStyle {
     }
 
     static ValueAxis upright(Plot.Axis description) {
-        return axis(description, new RectangleInsets(3, 6, 3, 6));
+        return axis(description, new RectangleInsets(3, 12, 3, 12));
     }
 
     private static ValueAxis axis(Plot.Axis description, RectangleInsets labelMargins) {

@@ -1,10 +1,13 @@
 package sunbeam.app.files.plot;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
+import java.awt.image.BufferedImage;
 import java.util.HashSet;
 import java.util.Set;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,5 +75,33 @@ final class PlotStyleTest {
                     .as("%d", i)
                     .isTrue();
         }
+    }
+
+    @Test
+    void labelsOfLogarithmicAxesAreCenteredBesideTheirTicks() {
+        Plot.Axis decades = Plot.Axis.logarithmic("");
+        Plot plot = new Plot(new Plot.Frame("", Plot.Axis.linear(""), decades, 700, 500));
+        BufferedImage image = plot.line("", new double[] {0, 1}, new double[] {0.01, 100})
+                .draw()
+                .rasterize();
+        IntPredicate isAxis =
+                x -> IntStream.range(0, 500).filter(y -> isDark(image, x, y)).count() > 250;
+        int axis = IntStream.range(0, 700).filter(isAxis).findFirst().orElseThrow();
+        int[] ticks = IntStream.range(1, 500)
+                .filter(y -> isDark(image, axis - 4, y) && !isDark(image, axis - 4, y - 1))
+                .toArray();
+
+        assertThat(ticks).hasSizeGreaterThan(3);
+        for (int tick : ticks) {
+            int[] inked = IntStream.range(Math.max(0, tick - 25), Math.min(500, tick + 25))
+                    .filter(y -> IntStream.range(0, axis - 12).anyMatch(x -> isDark(image, x, y)))
+                    .toArray();
+            // Ticks are two pixels thick, and digits are centered by the whole font's height.
+            assertThat(0.5 * (inked[0] + inked[inked.length - 1])).isCloseTo(tick + 0.5, within(4.0));
+        }
+    }
+
+    private static boolean isDark(BufferedImage image, int x, int y) {
+        return (image.getRGB(x, y) & 0xff) < 0x80;
     }
 }
