@@ -14,9 +14,11 @@ enum Decision {
     ALL_DIRECTIONS(
             Certainty.ALL_DIRECTIONS, "4 periods, ring 4, contrast below 40 (of a broad line 10), lines below 0.3"),
     TOO_FEW(Certainty.TOO_LITTLE, "fewer than 3 periods; order, or lines 0.3 and contrast 10"),
+    UNRESOLVED(Certainty.TOO_LITTLE, "fewer than 3 samples a period; order, or as in the next row"),
     LIKELY(
             Certainty.PROBABLE,
-            "no order; contrast 10 to 60; lines 0.2, prominence 4, significance 40, 3.5 periods; or 0.06, 8, 400, 10"),
+            "no order; contrast 10; strays 0.5 or prominence 15; lines 0.2, prominence 4 (from contrast 60 on 15), significance 40, 3.5"
+                    + " periods; or, below contrast 60, 0.06, 8, 400, 10"),
     POSSIBLE(Certainty.TOO_LITTLE, "no order; lines 0.15, prominence 3"),
     NOISE(Certainty.NONE, "no order"),
     FEW(Certainty.PROBABLE, "fewer than 4 periods"),
@@ -24,8 +26,15 @@ enum Decision {
     UNEVEN(Certainty.PROBABLE, "interval wider than a fifth of the period"),
     SURE(Certainty.SURE, "else");
 
-    // Probability that the strongest of a few random waves has such a share.
+    // Probability that the strongest of a few random waves has such a share, or that noise in one direction has such a
+    // peak,
+    // on whose period the parts of the scan agree so well.
     private static final double FALSE_ALARMS = 0.005;
+    // Half widths of intervals of noise, in periods over the scan, are spread evenly up to this one.
+    private static final double DISAGREEING = 1;
+    // Likewise of a wave that is told: parts of the scan that differ by more have no phase in common.
+    private static final double AGREEING = 0.5;
+    private static final double HANN_BINS = 1.5;
 
     final Certainty certainty;
     private final String condition;
@@ -58,6 +67,7 @@ enum Decision {
                         && wave.contrast() < (wave.broad() ? 10 : 40)
                         && wave.lines() < 0.3;
             case TOO_FEW -> wave.periods() < 3 && (isOrder(wave) || (wave.lines() >= 0.3 && wave.contrast() >= 10));
+            case UNRESOLVED -> wave.samples() < 3 && (isOrder(wave) || isLikely(wave));
             case LIKELY -> !isOrder(wave) && isLikely(wave);
             case POSSIBLE -> !isOrder(wave) && wave.lines() >= 0.15 && wave.prominence() >= 3;
             case NOISE -> !isOrder(wave);
@@ -78,7 +88,7 @@ enum Decision {
         double chance = (wave.periods() + 1) * Math.pow(1 - wave.lines(), wave.periods());
         boolean alone = wave.lines() >= 0.3 && chance <= FALSE_ALARMS;
         boolean standsOut = wave.lines() >= 0.06
-                && wave.prominence() >= 15
+                && isPeak(wave)
                 && wave.lines() * wave.prominence() >= 4
                 && wave.significance() >= 40;
         boolean directed = wave.contrast() >= 10 || wave.lines() >= 0.27;
@@ -86,13 +96,28 @@ enum Decision {
         return wave.isStated() || (directed && (alone || standsOut || grown));
     }
 
+    /** Whether noise has no such peak: the mean of a few independent powers varies, so that a peak's ratio to it follows Fisher's distribution. */
+    private static boolean isPeak(Evidence wave) {
+        double beside = LineMeasures.BESIDE * wave.periods() / HANN_BINS;
+        double ratio = wave.prominence() * Math.log(2);
+        double chance = (wave.periods() + 1) * Math.pow(1 + ratio / beside, -beside);
+        return wave.prominence() >= 15 && chance * Math.min(1, wave.strays() / DISAGREEING) <= FALSE_ALARMS;
+    }
+
     /** Straight lines of noise, whose contrast is higher, have few independent waves, of which one may be this strong. */
     private static boolean isLikely(Evidence wave) {
-        boolean strong =
-                wave.lines() >= 0.2 && wave.prominence() >= 4 && wave.significance() >= 40 && wave.periods() >= 3.5;
+        boolean straight = wave.contrast() >= 60;
+        boolean strong = wave.lines() >= 0.2
+                && wave.prominence() >= (straight ? 15 : 4)
+                && wave.significance() >= 40
+                && wave.periods() >= 3.5;
         // A wave of many periods may lie in roughness of coarser waves.
-        boolean weak =
-                wave.lines() >= 0.06 && wave.prominence() >= 8 && wave.significance() >= 400 && wave.periods() >= 10;
-        return wave.contrast() >= 10 && wave.contrast() < 60 && (strong || weak);
+        boolean weak = !straight
+                && wave.lines() >= 0.06
+                && wave.prominence() >= 8
+                && wave.significance() >= 400
+                && wave.periods() >= 10;
+        boolean agrees = wave.strays() <= AGREEING || wave.prominence() >= 15;
+        return wave.contrast() >= 10 && agrees && (strong || weak);
     }
 }

@@ -37,6 +37,11 @@ record Evidence(
                 broad, periods, samples, share, lines, contrast, ring, prominence, significance, unseen, chance, known);
     }
 
+    /** Half width of the frequency's 95 % interval, periods over the scan. */
+    double strays() {
+        return width * periods;
+    }
+
     boolean isStated() {
         return share >= LEAST_STATED && Math.min(significance, prominence) >= chance;
     }

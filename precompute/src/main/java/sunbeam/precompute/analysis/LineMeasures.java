@@ -49,6 +49,7 @@ record LineMeasures(
     private static final double COARSER_TO = 0.7;
     private static final double FINER_FROM = 1.3;
     private static final double FINER_TO = 1.8;
+    static final double BESIDE = COARSER_TO - COARSER_FROM + FINER_TO - FINER_FROM;
 
     static LineMeasures of(HeightMap scan, Predicate<SpatialFrequency> which) {
         HeightSpectrum spectrum = HeightSpectrum.of(scan, HeightSpectrum.Edges.TAPERED);

@@ -105,7 +105,10 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
                 middle.periodsIn(scan),
                 middle.samplesIn(scan),
                 Math.min(1, share),
-                search.measures().lineShare(lines),
+                // A ridge that crosses the wave is not its like.
+                Math.min(
+                        search.measures().lineShare(lines),
+                        lines.size() * search.measures().lineShare(List.of(line))),
                 search.measures().contrast(middle),
                 search.measures().ring(middle),
                 search.measures().prominence(line, parallel),

@@ -24,6 +24,10 @@ final class Reasons {
                                 "a wave of about %s may be there, with %.0f %% of the heights' variance",
                                 about, 100 * evidence.lines()));
             case NOISE -> strongest + ", is no stronger than one of noise";
+            case UNRESOLVED ->
+                Text.format(
+                        "too little to judge: %.1f samples a period of about %s: perhaps the alias of a shorter one; scan finer",
+                        evidence.samples(), about);
             case LIKELY ->
                 Text.format(
                         "it holds %.0f %% of the heights' variance, little more than noise may",
