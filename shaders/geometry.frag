@@ -20,13 +20,12 @@ layout(location = 2) out vec4 tangent;
 // Color of the body, linear sRGB.
 layout(location = 3) out vec4 albedo;
 
-// worldTangent.w: its sign is the tangent frame's handedness, its magnitude the visible share of the sky.
 void main() {
     vec4 relief = reliefTexel();
     vec4 body = texture(bodyTexture, surfaceCoordinate);
     mat3 frame = tangentFrameAbout(reliefNormal(relief.xy), patchTurn());
     view = vec4(viewDirection(frame), firstPatch + patchHere() + (body.a < 0.5 ? BARE : 0.0));
     normal = vec4(frame[2], frameHandedness());
-    tangent = vec4(frame[0], min(abs(worldTangent.w), 1.0));
+    tangent = vec4(frame[0], visibleSky());
     albedo = vec4(skinAlbedo(relief, body.rgb), 1.0);
 }

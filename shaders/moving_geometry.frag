@@ -11,13 +11,11 @@ uniform sampler2D bodyTexture;
 
 layout(location = 0) out vec4 surface;
 
-// worldTangent.w: its sign is the tangent frame's handedness, its magnitude the visible share of the sky.
-
 void main() {
     vec4 relief = reliefTexel();
     vec4 body = texelAt(bodyTexture, surfaceCoordinate);
     vec3 albedo = skinAlbedo(relief, body.rgb);
-    surface = packedSkin(reliefNormal(relief.xy), worldTangent, patchTurn(), albedo, abs(worldTangent.w));
+    surface = packedSkin(reliefNormal(relief.xy), worldTangent, patchTurn(), albedo, visibleSky());
     // Without nanostructure.
     surface.w *= body.a < 0.5 ? -1.0 : 1.0;
 }

@@ -64,6 +64,11 @@ vec3 skinAlbedo(vec4 relief, vec3 color) {
     return relief.w * mix(color, PALE, relief.z);
 }
 
+// Visible share of the sky, 0 to 1: a mesh that occludes it has it as the magnitude of worldTangent.w (sunbeam.app.scene.mesh.Mesh).
+float visibleSky() {
+    return min(abs(worldTangent.w), 1.0);
+}
+
 // World-space normal of the relief with slopes along tangent and bitangent; not normalized.
 vec3 reliefNormal(vec2 slopes) {
     vec3 bitangent = frameHandedness() * cross(worldNormal, worldTangent.xyz);

@@ -10,7 +10,6 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.environment.LightTree;
 import sunbeam.precompute.errors.Comparison;
-import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -34,7 +33,7 @@ public record LightCount(int lights, double difference, double limit) {
     public static Optional<LightCount> of(
             PartSum sum, Scene scene, int width, int height, BooleanSupplier interrupted) {
         boolean isOpen = scene.hasEnvironment()
-                && scene.method().type().equals(TableMethod.TYPE)
+                && scene.method().isTable()
                 && scene.get(SceneSettings.ENVIRONMENT_LIGHTS).isEmpty();
         if (!isOpen) {
             return Optional.empty();

@@ -12,7 +12,6 @@ import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.environment.LightTree;
 import sunbeam.app.scene.environment.RadianceMap;
-import sunbeam.precompute.method.TableMethod;
 
 /**
  * Lights of a picture, in groups of neighbors that share a shadow map (shaders/include/light_list.glsl).
@@ -129,7 +128,7 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
     }
 
     private static boolean hasFootprints(Scene scene) {
-        return scene.method().type().equals(TableMethod.TYPE) && !scene.method().isThesis();
+        return scene.method().isTable() && !scene.method().isThesis();
     }
 
     /** Footprints show lights of one direction: a wide light becomes several. */

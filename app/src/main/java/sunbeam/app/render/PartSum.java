@@ -20,7 +20,6 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
-import sunbeam.precompute.method.TableMethod;
 
 /**
  * Draws a scene look by look: the sum of the parts' diffracted light, one part per patch and reflectance component, over the body
@@ -118,7 +117,7 @@ public record PartSum(List<SceneSession> sessions) {
     }
 
     private OptionalDouble exposureUnder(Scene scene, Tile meter, TimedTiles tiles, BooleanSupplier interrupted) {
-        int samples = scene.method().type().equals(TableMethod.TYPE) ? TABLE_SAMPLES : 1;
+        int samples = scene.method().isTable() ? TABLE_SAMPLES : 1;
         ScenePicture small = ScenePicture.empty(meter.width(), meter.height());
         boolean isWhole = tiles.draw(meter.divide(TimedTiles.LARGEST), interrupted, tile -> {
             DrawRequest request = DrawRequest.ofPixels(scene, meter.width(), meter.height(), tile, samples);

@@ -3,7 +3,6 @@ package sunbeam.app.render;
 import java.util.List;
 import java.util.stream.Collectors;
 import sunbeam.app.scene.SceneMethod;
-import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -28,7 +27,7 @@ public record PixelSamples(int side, List<Integer> refinements) {
 
     /** Method {@code table} has adaptive samples, more in a small picture; methods whose samples are costly have one. */
     public static PixelSamples of(SceneMethod method, int width, int height) {
-        if (!method.type().equals(TableMethod.TYPE)) {
+        if (!method.isTable()) {
             return uniform(1);
         }
         int side = side(width, height);
@@ -41,7 +40,7 @@ public record PixelSamples(int side, List<Integer> refinements) {
 
     /** In a window samples are uniform: their tiles are known before the picture is drawn. */
     public static PixelSamples inWindow(SceneMethod method, int width, int height) {
-        return uniform(method.type().equals(TableMethod.TYPE) ? side(width, height) : 1);
+        return uniform(method.isTable() ? side(width, height) : 1);
     }
 
     private static int side(int width, int height) {

@@ -30,7 +30,6 @@ import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
-import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
@@ -206,15 +205,13 @@ public final class SceneLoader {
                     SceneSettings.ENVIRONMENT,
                     " none");
         }
-        if (scene.hasEnvironment()
-                && scene.method().method() instanceof TableMethod table
-                && table.area().average() == Average.COHERENT) {
+        boolean isCoherentTable =
+                scene.method().isTable() && scene.method().area().average() == Average.COHERENT;
+        if (isCoherentTable && scene.hasEnvironment()) {
             throw choices.complaint(
                     AVERAGE, "coherent has no color of an environment's wide lights; give ensemble, or method full");
         }
-        if (scene.lights().stream().anyMatch(light -> scene.deviation(light) > 0)
-                && scene.method().method() instanceof TableMethod table
-                && table.area().average() == Average.COHERENT) {
+        if (isCoherentTable && scene.lights().stream().anyMatch(light -> scene.deviation(light) > 0)) {
             throw choices.complaint(
                     AVERAGE, "coherent has no color of a light with an angularDiameter; give ensemble, or method full");
         }

@@ -28,7 +28,6 @@ import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.files.InputException;
-import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
@@ -72,8 +71,7 @@ public record WebScene(Map<String, Object> fields, byte[] columns, Map<String, B
                 "energy: a page has no divisor by direction of light; give scalar");
         refuseIf(scene.method().isThesis(), name, "preset: a page draws no preset; leave thesis out");
         refuseIf(
-                !scene.method().type().equals(TableMethod.TYPE)
-                        || scene.method().get(MethodSettings.AVERAGE) != Average.ENSEMBLE,
+                !scene.method().isTable() || scene.method().get(MethodSettings.AVERAGE) != Average.ENSEMBLE,
                 name,
                 "method: a page draws method table with average ensemble; leave others out");
         refuseIf(

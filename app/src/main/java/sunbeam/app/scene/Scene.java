@@ -20,7 +20,6 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -336,7 +335,7 @@ public record Scene(
 
     /** {@link #slopeDeviation} for color tables, which are averages over the slopes; else 0. */
     public double tabulatedSlopes() {
-        return method.type().equals(TableMethod.TYPE) ? slopeDeviation() : 0;
+        return method.isTable() ? slopeDeviation() : 0;
     }
 
     /** Returns the display transform for an exposure factor, with the scene's or the preset's curve and primaries. */

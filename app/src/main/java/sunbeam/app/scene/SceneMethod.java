@@ -91,6 +91,11 @@ public record SceneMethod(Choices chosen) {
         return choices().get(setting);
     }
 
+    /** True for color tables, whose pixels are averages over footprints; other methods evaluate points. */
+    public boolean isTable() {
+        return type().equals(TableMethod.TYPE);
+    }
+
     public boolean isThesis() {
         return Preset.isThesis(chosen);
     }

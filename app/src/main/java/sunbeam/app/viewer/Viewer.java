@@ -42,7 +42,6 @@ import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.analysis.GratingPeriod;
-import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 
 /** Viewer: creates and connects window, model and render thread. Its instances are used on the event thread only. */
@@ -151,7 +150,7 @@ public final class Viewer {
         Viewer viewer = open(scene, environment, warning, pictureSize);
         try {
             new BackgroundTask<>(viewer.presenter.firstPicture).get();
-            if (scene.method().type().equals(TableMethod.TYPE)) {
+            if (scene.method().isTable()) {
                 viewer.presenter
                         .finalPicture
                         .exceptionally(none -> null)

@@ -7,7 +7,7 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Sentence;
 
-/** Diffraction method with all its settings. Immutable; equal by value. Scenes treat {@link TableMethod} separately. */
+/** Diffraction method with all its settings. Immutable; equal by value. */
 public interface Method {
     MethodType type();
 

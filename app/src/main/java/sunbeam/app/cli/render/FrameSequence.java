@@ -51,7 +51,6 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.work.Progress;
@@ -221,7 +220,7 @@ public final class FrameSequence implements AutoCloseable {
             Optional<String> miss = tables.stream()
                     .flatMap(errors -> VirtualTexture.miss(errors, tolerance).stream())
                     .findFirst();
-            boolean isTable = scene.method().type().equals(TableMethod.TYPE);
+            boolean isTable = scene.method().isTable();
             String remedy = miss.orElse(
                     "a larger --supersample or --size" + (isTable ? "" : ", or --method table,") + " may help");
             ExitCode judged = CertifyOption.judge(certificate, true, remedy, out, err);

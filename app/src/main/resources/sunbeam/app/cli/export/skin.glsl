@@ -33,7 +33,7 @@ void main() {
     vec4 relief = reliefTexel();
     mat3 frame = tangentFrameAbout(reliefNormal(relief.xy), patchTurn());
     vec3 wr = viewDirection(frame);
-    float seen = min(abs(worldTangent.w), 1.0);
+    float seen = visibleSky();
     vec3 albedo = belowGloss(wr, seen) * (LINEAR_SRGB_TO_XYZ * skinAlbedo(relief, texelAt(bodyTexture, surfaceCoordinate).rgb));
     float ambient = skyShare(frame[2], seen);
     vec3 gloss = glossXyz(frame, wr, seen);
