@@ -13,11 +13,12 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.text.Text;
 
 /**
- * Number of lights that stand for a scene's environment: doubled until a small picture agrees with that of half as many.
+ * Number of lights that stand for a scene's environment: doubled until a small picture agrees with that of twice as many.
  *
+ * @param other number of lights of the picture beside it
  * @param difference mean CIEDE2000 of both
  */
-public record LightCount(int lights, double difference, double limit) {
+public record LightCount(int lights, int other, double difference, double limit) {
     private static final int FEWEST = 64;
 
     // Mean CIEDE2000 per tolerance: at the tolerance of scenes the 1 that certificates allow.
@@ -47,11 +48,14 @@ public record LightCount(int lights, double difference, double limit) {
         int lights = FEWEST;
         float[] fewer = drawn(sum, scene, lights, columns, rows);
         while (!interrupted.getAsBoolean()) {
-            lights *= 2;
-            float[] more = drawn(sum, scene, lights, columns, rows);
+            float[] more = drawn(sum, scene, 2 * lights, columns, rows);
             double difference = difference(fewer, more, exposure);
-            if (difference <= limit || lights == LightTree.MOST) {
-                return Optional.of(new LightCount(lights, difference, limit));
+            if (difference <= limit) {
+                return Optional.of(new LightCount(lights, 2 * lights, difference, limit));
+            }
+            lights *= 2;
+            if (lights == LightTree.MOST) {
+                return Optional.of(new LightCount(lights, lights / 2, difference, limit));
             }
             fewer = more;
         }
@@ -89,9 +93,8 @@ public record LightCount(int lights, double difference, double limit) {
         return difference > limit;
     }
 
-    /** Such as "environment as 256 lights, CIEDE2000 0.4 in the mean beside 128". */
+    /** Such as "environment as 256 lights, CIEDE2000 0.4 in the mean beside 512". */
     public String describe() {
-        return Text.format(
-                "environment as %d lights, CIEDE2000 %.2g in the mean beside %d", lights, difference, lights / 2);
+        return Text.format("environment as %d lights, CIEDE2000 %.2g in the mean beside %d", lights, difference, other);
     }
 }

@@ -21,7 +21,13 @@ import sunbeam.app.scene.environment.RadianceMap;
  */
 record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
     /** Mesa's software renderer ends a shader's loops after 65,535 steps; a light takes up to 25. */
-    static final int MOST = LightTree.MOST;
+    static final int MOST = LightTree.MOST + 256;
+
+    // Share of all light of the weakest light that every sample of a pixel has; at most 64 reach it.
+    private static final double BRIGHT = 1 / 64.0;
+
+    /** Lights of an environment under which all samples of a pixel have all lights. */
+    static final int FEW = 16;
 
     // Lights of an environment in a still picture of a scene that gives no number.
     private static final int STILL = 128;
@@ -49,19 +55,22 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
         double luminance() {
             return 0.2126729 * color.x() + 0.7151522 * color.y() + 0.0721750 * color.z();
         }
+
+        /** Returns lights that add up to this one, one for each of the samples that have different lights. */
+        Stream<Light> shared() {
+            Vector3f part = color.div(SkinSurface.LIGHT_STRIDE, new Vector3f());
+            return Stream.generate(() -> new Light(towards, part, deviation, stretch))
+                    .limit(SkinSurface.LIGHT_STRIDE);
+        }
     }
 
-    /** @param penumbra radius of a shadow's edge per distance from its caster; 0 for a group without shadows */
-    record Group(List<Light> lights, double penumbra) {
+    /**
+     * @param middle unit vector along the group's shadows
+     * @param penumbra radius of a shadow's edge per distance from its caster; 0 for a group without shadows
+     */
+    record Group(List<Light> lights, Vector3fc middle, double penumbra) {
         boolean hasShadows() {
             return penumbra > 0;
-        }
-
-        /** Direction of the group's shadows: the mean of its lights by luminance, or its first light if they cancel. */
-        Vector3f middle() {
-            Vector3f sum = new Vector3f();
-            lights.forEach(light -> sum.fma((float) light.luminance(), light.towards()));
-            return sum.length() > 0 ? sum.normalize() : sum.set(lights.get(0).towards());
         }
 
         /** Returns the linear Rec. 709 of a white plane under these lights, without shadows. */
@@ -88,39 +97,67 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
                 ? SceneSession.MOVING_LIGHTS
                 : scene.get(SceneSettings.ENVIRONMENT_LIGHTS).orElse(STILL);
         Vector3f up = new Vector3f(0, 0, 1).rotate(new Quaternionf(scene.orientation()));
-        float turn = scene.get(SceneSettings.ENVIRONMENT_ROTATION).floatValue();
         float intensity = scene.get(SceneSettings.ENVIRONMENT_INTENSITY).floatValue();
+        List<LightTree.Group> regions =
+                areDrawn ? tree.pixels(ENVIRONMENT_GROUPS) : tree.groups(count, ENVIRONMENT_GROUPS);
+        // Shadows have the same directions under any number of lights.
+        List<List<Light>> finest = tree.groups(LightTree.MOST, ENVIRONMENT_GROUPS).stream()
+                .map(region -> above(scene, region, up).toList())
+                .toList();
+        double bright = moves || areDrawn
+                ? Double.POSITIVE_INFINITY
+                : BRIGHT
+                        * finest.stream()
+                                .flatMap(List::stream)
+                                .mapToDouble(Light::luminance)
+                                .sum();
         List<Group> groups = new ArrayList<>();
-        for (LightTree.Group region :
-                areDrawn ? tree.pixels(ENVIRONMENT_GROUPS) : tree.groups(count, ENVIRONMENT_GROUPS)) {
-            List<Light> lights = region.lights().stream()
-                    .map(light -> new Light(
-                            light.towards().rotateZ(turn, new Vector3f()),
-                            light.color().mul(intensity, new Vector3f()),
-                            OVERLAP * light.deviation(),
-                            light.stretch().mul((float) OVERLAP, new Vector3f()).rotateZ(turn)))
-                    // The ground hides what is below it.
-                    .filter(light -> scene.ground().isEmpty() || light.towards().dot(up) > 0)
+        for (int i = 0; i < regions.size(); i++) {
+            List<Light> lights = above(scene, regions.get(i), up)
+                    .flatMap(light -> light.luminance() < bright ? Stream.of(light) : light.shared())
                     .toList();
             if (!lights.isEmpty()) {
                 boolean hasShadows = scene.hasShadows() && !moves;
-                groups.add(new Group(lights, hasShadows ? Math.max(SHARPEST_PENUMBRA, 2 * region.deviation()) : 0));
+                double softest = Math.max(SHARPEST_PENUMBRA, 2 * regions.get(i).deviation());
+                groups.add(new Group(
+                        lights, middle(finest.get(i).isEmpty() ? lights : finest.get(i)), hasShadows ? softest : 0));
             }
         }
         if (groups.isEmpty()) {
-            groups.add(new Group(List.of(new Light(up, new Vector3f(), 0, new Vector3f())), 0));
+            groups.add(new Group(List.of(new Light(up, new Vector3f(), 0, new Vector3f())), up, 0));
         }
         return new LightList(groups, areDrawn, intensity);
     }
 
+    /** Returns a region's lights that no ground hides. */
+    private static Stream<Light> above(Scene scene, LightTree.Group region, Vector3fc up) {
+        float turn = scene.get(SceneSettings.ENVIRONMENT_ROTATION).floatValue();
+        float intensity = scene.get(SceneSettings.ENVIRONMENT_INTENSITY).floatValue();
+        return region.lights().stream()
+                .map(light -> new Light(
+                        light.towards().rotateZ(turn, new Vector3f()),
+                        light.color().mul(intensity, new Vector3f()),
+                        OVERLAP * light.deviation(),
+                        light.stretch().mul((float) OVERLAP, new Vector3f()).rotateZ(turn)))
+                .filter(light -> scene.ground().isEmpty() || light.towards().dot(up) > 0);
+    }
+
+    /** Returns the mean direction of lights by luminance, or that of the first light if they cancel. */
+    private static Vector3f middle(List<Light> lights) {
+        Vector3f sum = new Vector3f();
+        lights.forEach(light -> sum.fma((float) light.luminance(), light.towards()));
+        return sum.length() > 0 ? sum.normalize() : sum.set(lights.get(0).towards());
+    }
+
     private static LightList own(Scene scene) {
         List<Group> groups = new ArrayList<>();
-        groups.add(new Group(drawn(scene, scene.light()).toList(), scene.hasShadows() ? SCENE_PENUMBRA : 0));
+        Vector3fc key = scene.light().towards();
+        groups.add(new Group(drawn(scene, scene.light()).toList(), key, scene.hasShadows() ? SCENE_PENUMBRA : 0));
         if (!scene.fillLights().isEmpty()) {
             List<Light> fill = scene.fillLights().stream()
                     .flatMap(light -> drawn(scene, light))
                     .toList();
-            groups.add(new Group(fill, 0));
+            groups.add(new Group(fill, key, 0));
         }
         double intensity =
                 scene.lights().stream().mapToDouble(SceneLight::intensity).sum();
@@ -159,6 +196,16 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
         return groups.stream().mapToInt(group -> group.lights().size()).sum();
     }
 
+    /** True if samples of a pixel have different lights. */
+    boolean areShared() {
+        return count() > FEW * SkinSurface.LIGHT_STRIDE;
+    }
+
+    /** True for more lights than a scene has without environment. */
+    boolean areMany() {
+        return count() > jrtr.scene.Light.MOST;
+    }
+
     boolean areWide() {
         return groups.stream().flatMap(group -> group.lights().stream()).anyMatch(light -> light.deviation() > 0);
     }
@@ -173,7 +220,7 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
                 double share = alone.luminance()
                         / all().stream().mapToDouble(Light::luminance).sum();
                 return new LightList(
-                        List.of(new Group(List.of(alone), group.penumbra())),
+                        List.of(new Group(List.of(alone), group.middle(), group.penumbra())),
                         areDrawn,
                         share > 0 ? share * skyWeight : 0);
             }

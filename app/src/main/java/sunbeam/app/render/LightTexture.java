@@ -70,7 +70,7 @@ final class LightTexture implements AutoCloseable {
     record Casters(List<RenderItem> items, BoundingSphere bounds) {}
 
     /** Input of the maps: equal inputs draw equal maps. */
-    private record Casting(Casters casters, List<Vector3f> directions) {}
+    private record Casting(Casters casters, List<Vector3fc> directions) {}
 
     private record Shown(Casters casters, LightList lights, int side) {}
 
@@ -107,7 +107,7 @@ final class LightTexture implements AutoCloseable {
         if (wanted.equals(shown)) {
             return;
         }
-        List<Vector3f> directions = shadowed.stream().map(Group::middle).toList();
+        List<Vector3fc> directions = shadowed.stream().map(Group::middle).toList();
         Casting casting = new Casting(casters, directions);
         int across = (int) Math.ceil(Math.sqrt(directions.size()));
         if (!directions.isEmpty() && !casting.equals(drawn.get(side))) {

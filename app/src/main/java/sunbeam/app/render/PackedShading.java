@@ -8,7 +8,6 @@ import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
-import jrtr.scene.Light;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -99,8 +98,8 @@ final class PackedShading implements AutoCloseable {
         int[] missing = shade(part, part.covered(), lit);
         while (missing.length > 0 && !part.tiles().isScheduled()) {
             // Under many lights some pixels tell nearly all tiles.
-            addFeedback(part, missing, part.lights.count() > Light.MOST ? 1 + missing.length / FEW_PIXELS : 1);
-            part.tiles().bakeFeedback();
+            addFeedback(part, missing, part.lights.areMany() ? 1 + missing.length / FEW_PIXELS : 1);
+            part.tiles().bakeFeedback(part.lights.areMany());
             int[] left = shade(part, missing, lit);
             if (left.length == missing.length) {
                 throw new IllegalStateException("a footprint reads tiles that are missing in its feedback");
@@ -181,7 +180,7 @@ final class PackedShading implements AutoCloseable {
             Packing packing = upload(part, covered, first);
             for (int light = 0; light < lights.size(); light++) {
                 // A wide light's colors are means of two levels, those of many lights not.
-                int levels = lights.get(light).deviation() > 0 && lights.size() <= Light.MOST ? 2 : 1;
+                int levels = lights.get(light).deviation() > 0 && !part.lights.areMany() ? 2 : 1;
                 for (int level = 0; level < levels; level++) {
                     part.skin.shade(part, sources, target, packing.used(), light, light + 1, level, false);
                     Footprints footprints = new Footprints(read(packing, 1), read(packing, 2));

@@ -71,15 +71,27 @@ public record PartSum(List<SceneSession> sessions) {
     public PixelPicture draw(Scene scene, int width, int height, Tile tile, PixelSamples samples, double exposure) {
         int side = samples.side();
         var pixels = new PixelPicture(tile.width(), tile.height(), scene.display(exposure), scene.background());
-        ScenePicture first = draw(DrawRequest.first(scene, width, height, tile, samples));
-        BitSet unsure = pixels.setAll(first, samples.firstAcross(), side);
+        BitSet unsure = new BitSet();
+        unsure.set(0, tile.width() * tile.height());
+        DrawRequest first = DrawRequest.first(scene, width, height, tile, samples);
+        unsure = set(pixels, unsure, first, samples.firstAcross(), side);
         for (int finer : samples.refinements()) {
             if (!unsure.isEmpty()) {
                 DrawRequest all = DrawRequest.ofPixels(scene, width, height, tile, finer);
-                unsure = pixels.set(unsure, draw(all.only(unsure)), finer, finer);
+                unsure = set(pixels, unsure, all.only(unsure), finer, finer);
             }
         }
         return pixels;
+    }
+
+    /** Returns the pixels whose means are unsure: as samples under few lights differ, since those under many have different lights. */
+    private BitSet set(PixelPicture pixels, BitSet chosen, DrawRequest request, int across, int down) {
+        BitSet unsure = pixels.set(chosen, draw(request), across, down);
+        if (!request.scene().hasEnvironment() || down == 1) {
+            return unsure;
+        }
+        Scene few = request.scene().with(SceneSettings.ENVIRONMENT_LIGHTS, OptionalInt.of(LightList.FEW));
+        return pixels.like().set(chosen, draw(request.with(few)), across, down);
     }
 
     /**

@@ -26,10 +26,19 @@ public final class PixelPicture {
 
     /** Creates black pixels without mesh. */
     PixelPicture(int width, int height, DisplayTransform display, SceneColor background) {
-        this.light = ScenePicture.empty(width, height);
-        this.image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        this(ScenePicture.empty(width, height), display, background.light());
+    }
+
+    private PixelPicture(ScenePicture light, DisplayTransform display, double[] behind) {
+        this.light = light;
+        this.image = new BufferedImage(light.width(), light.height(), BufferedImage.TYPE_INT_RGB);
         this.display = display;
-        this.behind = background.light();
+        this.behind = behind;
+    }
+
+    /** Returns black pixels of the same size and display. */
+    PixelPicture like() {
+        return new PixelPicture(ScenePicture.empty(light.width(), light.height()), display, behind);
     }
 
     /** Returns opaque sRGB of one sample per pixel, over the background, which is not exposed. */

@@ -239,7 +239,7 @@ public final class SceneSession implements AutoCloseable {
         return virtualTexture().map(tiles -> {
             tiles.clearFeedback();
             addFeedback(parts(scene, width, height, samples), true, () -> false);
-            tiles.bakeFeedback();
+            tiles.bakeFeedback(false);
             return tiles.errors();
         });
     }

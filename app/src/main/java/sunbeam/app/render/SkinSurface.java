@@ -44,7 +44,7 @@ final class SkinSurface implements AutoCloseable {
     private static final int MOVING_HARDWARE_TAPS = 4;
 
     // Each sample of a square of 2 x 2 has its quarter of many lights.
-    private static final int LIGHT_STRIDE = 4;
+    static final int LIGHT_STRIDE = 4;
     // Rounds levels up, so that lights of neighboring regions leave no ripples between them.
     private static final float MANY_ROUNDING = 0.85f;
 
@@ -134,7 +134,7 @@ final class SkinSurface implements AutoCloseable {
             boolean hasColors) {
         DrawRequest request = part.request();
         Scene scene = request.scene();
-        boolean areMany = texture.isPresent() && part.lights().count() > Light.MOST;
+        boolean areMany = texture.isPresent() && part.lights().areMany();
         ShaderProgram program = programs.computeIfAbsent(areMany, this::program);
         setBlend(program, scene, part.lights());
         program.set("drawnPatch", (float)
@@ -142,7 +142,7 @@ final class SkinSurface implements AutoCloseable {
         program.set("firstLight", firstLight);
         program.set("lastLight", lastLight);
         program.set("lightGroups", part.lights().groups().size());
-        boolean areShared = areMany && hasColors && request.samples() % 2 == 0;
+        boolean areShared = areMany && part.lights().areShared() && hasColors && request.samples() % 2 == 0;
         program.set("lightStride", areShared ? LIGHT_STRIDE : 1);
         program.set("lightsAreDrawn", part.lights().areDrawn() ? 1 : 0);
         program.set("targetToWorld", part.geometry().blockToWorld(part.piece().block()));

@@ -212,6 +212,24 @@ class EnvironmentTest extends InAScene {
         }
     }
 
+    /** A bright light, such as the sun, lights all samples; else the edges of its shadows would have one sample. */
+    @Test
+    void aBrightLightIsSeenByAllSamples() throws IOException {
+        Path file = RadianceFiles.gray(folder.resolve("sun.hdr"), 64, 32, (x, y) -> x == 30 && y == 6 ? 255 : 2);
+        Scene scene = under(table(Weights.of(0, 1, 1, 0)), file, 256);
+        try (SceneSession session = session(scene)) {
+            DrawRequest four = DrawRequest.ofPixels(scene, 5, 5, new Tile(2, 2, 1, 1), 2);
+            double[] samples = Arrays.stream(luminances(session.draw(four).rgba()))
+                    .sorted()
+                    .toArray();
+            assertThat(samples).hasSize(4);
+            // The pixel has a seventh of the light on the plane: in one sample alone it would make that one 1.6 times
+            // as bright. The
+            // samples' other 64 lights differ by up to 0.2 rad.
+            assertThat(samples[3]).isLessThan(1.3 * samples[0]);
+        }
+    }
+
     @Test
     void whatHasNoWideLightsIsRefused() {
         Scene scene = blaze().with(SceneSettings.ENVIRONMENT, "window");

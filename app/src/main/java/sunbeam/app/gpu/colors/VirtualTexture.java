@@ -68,12 +68,16 @@ public final class VirtualTexture implements AutoCloseable {
         feedback.clear();
     }
 
-    /** Bakes the feedback's tiles, or all of a small table, and waits. Throws {@link GraphicsException} if memory does not suffice. */
-    public void bakeFeedback() {
+    /**
+     * Bakes the feedback's tiles, or all of a small table, and waits. Throws {@link GraphicsException} if memory does not suffice.
+     *
+     * @param underMany whether there are so many lights that finding the tiles that they read takes longer than baking a larger table
+     */
+    public void bakeFeedback(boolean underMany) {
         if (scheduler.isPresent()) {
             throw new IllegalStateException("a picture reads tiles that were not requested for it");
         }
-        if (prefetchSet.isSmall()) {
+        if (underMany ? prefetchSet.isWhole() : prefetchSet.isSmall()) {
             feedback.add(prefetchSet.prefetched());
         }
         TileSet missing = residency.missing(feedback);
