@@ -10,7 +10,6 @@ import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -266,8 +265,8 @@ public final class PatchOptions extends SettingOptions {
         }
 
         /**
-         * Returns a folder's own files without hidden ones, those that a descriptor of the folder names, and other JSON and Markdown. A link
-         * that leads nowhere or out of the folder, or a pipe, counts: its row says so.
+         * Returns a folder's own files without hidden ones, those that a usable descriptor of the folder names, and other JSON and Markdown.
+         * A link that leads nowhere or out of the folder, or a pipe, counts: its row says so.
          */
         private static List<String> files(Path folder) {
             try (Stream<Path> listed = Files.list(folder)) {
@@ -282,7 +281,8 @@ public final class PatchOptions extends SettingOptions {
                 Set<Path> described = new HashSet<>();
                 files.stream()
                         .filter(file -> !OwnFolder.isWayOut(file, folder))
-                        .forEach(file -> heights(file).ifPresent(described::add));
+                        .forEach(file ->
+                                PatchLoader.described(file).map(Path::normalize).ifPresent(described::add));
                 InputException.refuseIf(
                         files.isEmpty(),
                         "the folder " + folder
@@ -290,24 +290,13 @@ public final class PatchOptions extends SettingOptions {
                 return files.stream()
                         .filter(file -> !described.contains(file.normalize())
                                 || OwnFolder.isWayOut(file, folder)
-                                || heights(file).isPresent())
+                                || json(file).isPresent())
                         .map(Path::toString)
                         .toList();
             } catch (IOException failure) {
                 throw InputException.of(folder, failure);
             } catch (UncheckedIOException failure) {
                 throw InputException.of(folder, failure.getCause());
-            }
-        }
-
-        /** Returns the file of the heights that a descriptor names, which is not opened; empty if the file is no descriptor. */
-        private static Optional<Path> heights(Path file) {
-            try {
-                return json(file)
-                        .map(tree -> tree.path(HEIGHTS).textValue())
-                        .map(name -> file.resolveSibling(name).normalize());
-            } catch (InvalidPathException noDescriptor) {
-                return Optional.empty();
             }
         }
 

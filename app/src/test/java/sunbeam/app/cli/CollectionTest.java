@@ -197,6 +197,18 @@ final class CollectionTest extends CommandLineFixture {
         Files.delete(scans.resolve("d.json"));
     }
 
+    /** A scan whose descriptor cannot be used is a surface of its own. */
+    @Test
+    void aBrokenDescriptorDoesNotHideItsScan() throws IOException {
+        Files.writeString(scans.resolve("b.json"), "{\"heights\": \"grating.txt\", \"width\": -5}");
+        Files.writeString(scans.resolve("c.json"), "{\"heights\": \"grating.txt\", \"no key\": 1}");
+
+        assertThat(inspect("@scans")).isEqualTo(4);
+
+        assertThat(column("file")).hasSize(3);
+        assertThat(column("exit_code")).containsExactly("4", "4", "0");
+    }
+
     @Test
     void aLinkToAScanOutsideOfTheFolderIsARow() throws IOException {
         Path inside = scans.resolve("grating.txt");

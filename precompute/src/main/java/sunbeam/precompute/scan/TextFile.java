@@ -36,7 +36,8 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     // Commas and points within a line of semicolons, or "1,024.5" before a blank.
     private static final Pattern THOUSANDS =
             Pattern.compile("(?m)^(?=[^;\n]*;)(?=[^.\n]*\\.)[^,\n]*,|(?<![\\d.,])\\d{1,3}(?:,\\d{3})+\\.\\d+[ \\t]");
-    // A key of ESRI's ASCII grids.
+    // Keys of ESRI's ASCII grids.
+    private static final Pattern GRID_COLUMNS = Pattern.compile("(?i)\\s*ncols\\s+\\d.*");
     private static final Pattern NO_DATA = Pattern.compile("(?i)\\s*nodata_value\\s+(\\S{1,30})\\s*");
 
     /** Recognizes a text by a line of numbers in its first 256 KB; an empty mark is detected. */
@@ -109,15 +110,17 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         return new TextNumbers(reader, decimalComma, header.size() + 1L, Long.MAX_VALUE);
     }
 
-    /** Number that stands for a missing sample; NaN if none does. */
+    /** Number that stands for a missing sample, in ESRI's grids -9999 unless they state another; NaN if none does. */
     double missing() {
+        boolean isGrid =
+                header.stream().anyMatch(line -> GRID_COLUMNS.matcher(line).matches());
         return header.stream()
                 .map(NO_DATA::matcher)
                 .filter(Matcher::matches)
                 .flatMap(matcher -> Header.Quantity.of(matcher.group(1)).stream())
                 .mapToDouble(Header.Quantity::value)
                 .findFirst()
-                .orElse(Double.NaN);
+                .orElse(isGrid ? -9999 : Double.NaN);
     }
 
     /**

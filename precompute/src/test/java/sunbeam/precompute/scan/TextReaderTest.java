@@ -108,6 +108,10 @@ class TextReaderTest {
     void theGridsOwnMarkIsMissing() throws IOException {
         assertThat(read("ncols 2\nnrows 2\ncellsize 0.05\nNODATA_value  -9999\n1 -9999.000\n3 4\n"))
                 .containsExactly(1, Double.NaN, 3, 4);
+        // ESRI's default.
+        assertThat(read("ncols 2\nnrows 2\ncellsize 0.05\n1 -9999\n3 4\n")).containsExactly(1, Double.NaN, 3, 4);
+        assertThat(read("ncols 2\nnrows 2\ncellsize 0.05\nNODATA_value 3\n1 -9999\n3 4\n"))
+                .containsExactly(1, -9999, Double.NaN, 4);
     }
 
     @ParameterizedTest
