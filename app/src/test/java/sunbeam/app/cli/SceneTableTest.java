@@ -25,6 +25,7 @@ import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.Weights;
+import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.FullMethod;
@@ -107,7 +108,8 @@ class SceneTableTest extends InAScene {
         Scene exact = plane(EYE, LIGHT, 20, ON_A_BODY, FullMethod.TYPE).withLight(wide);
         try (SceneSession full = session(exact);
                 SceneSession table = session(point)) {
-            Certificate.SceneCertifier certifier = new Certificate.SceneCertifier(24, 18, PixelSamples.uniform(1));
+            Certificate.SceneCertifier certifier = new Certificate.SceneCertifier(
+                    24, 18, PixelSamples.uniform(1), Environment.ofProcess().progress());
             PartSum sum = new PartSum(List.of(full));
             PartSum tables = new PartSum(List.of(table));
             Certificate certificate = certifier.certify(tables, point.withLight(wide), sum, exact, 1, 12);
@@ -133,7 +135,8 @@ class SceneTableTest extends InAScene {
      * @param count number of pixels
      */
     private void assertTableHasTheMeanOfPoints(Function<MethodType, Scene> scene, double better, int count) {
-        Certificate.SceneCertifier certifier = new Certificate.SceneCertifier(24, 18, PixelSamples.uniform(1));
+        Certificate.SceneCertifier certifier = new Certificate.SceneCertifier(
+                24, 18, PixelSamples.uniform(1), Environment.ofProcess().progress());
         Scene drawn = scene.apply(TableMethod.TYPE);
         Scene exact = scene.apply(FullMethod.TYPE);
         try (SceneSession full = session(exact);

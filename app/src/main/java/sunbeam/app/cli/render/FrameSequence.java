@@ -208,7 +208,7 @@ public final class FrameSequence implements AutoCloseable {
             List<SceneData> parts = new SceneLoader(environment, warning -> {}).parts(points, parts(), share -> {});
             exact.addAll(SceneSession.all(context, parts));
             Scene drawn = parts.get(0).scene();
-            Certificate certificate = new Certificate.SceneCertifier(width, height, samples)
+            Certificate certificate = new Certificate.SceneCertifier(width, height, samples, environment.progress())
                     .certify(sum, scene, new PartSum(exact), drawn, exposure, count);
             report.put("certificate", JsonOption.fields(certificate));
             // A larger --supersample does not reduce the errors of the table at the footprints of these pixels.
