@@ -169,6 +169,37 @@ class SameQuantityTest extends InOneWorkplace {
         }
     }
 
+    /** An export's divisor at a band's middle is that of a list at this wavelength, for light at a node of the divisor's grid. */
+    @Test
+    void anExportOfSpectraHasTheDivisorOfReflectance() throws IOException {
+        workplace.succeedHere(
+                "export " + PATCH + WINDOW + "--energy conserve --format npz --channels spectral --bands 5"
+                        + " --size 2MB --tolerance 0.1 --samples 0 --output known.npz");
+        int side = 25;
+        float[] divisors = ValueCommand.arrays(workplace, "divisor").get(0);
+        int bands = 5;
+        double most = 1;
+        CsvFile.ofDirections(IntStream.range(0, bands)
+                        .mapToObj(i -> new double[] {30, 0, 25, 180, 380 + 100 * i})
+                        .toList())
+                .write(workplace.resolve("list.csv"));
+        List<CsvFile> both = new ArrayList<>();
+        for (String energy : List.of("scalar", "conserve")) {
+            workplace.succeedHere("reflectance " + PATCH + WINDOW + "--average ensemble --tolerance 1e-3 --energy "
+                    + energy + " --directions list.csv --output out.csv");
+            both.add(CsvFile.read(workplace.resolve("out.csv")));
+        }
+        for (int band = 0; band < bands; band++) {
+            // Sine 0.5 is node 18 of 0 to 24, and 0 node 12.
+            double divisor = divisors[band * side * side + 12 * side + 18];
+            // Values are float32.
+            assertThat(both.get(0).at(band, "brdf") / both.get(1).at(band, "brdf"))
+                    .isCloseTo(divisor, within(1e-6 * divisor));
+            most = Math.max(most, divisor);
+        }
+        assertThat(most).as("a divisor that does something").isGreaterThan(1.01);
+    }
+
     private static Scene scene(String options) {
         SettingOptions settings = CommandLine.populateCommand(
                 new SettingOptions(Setting.union(Methods.SETTINGS, List.of(SceneSettings.ENERGY))),

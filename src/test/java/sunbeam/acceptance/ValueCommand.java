@@ -224,7 +224,7 @@ enum ValueCommand {
         return Math.toDegrees(Math.asin(Math.hypot(x, y)));
     }
 
-    private static List<float[]> arrays(Workplace workplace, String... names) throws IOException {
+    static List<float[]> arrays(Workplace workplace, String... names) throws IOException {
         List<float[]> arrays = new ArrayList<>();
         try (ZipFile zip = new ZipFile(workplace.resolve("known.npz").toFile())) {
             for (String name : names) {
