@@ -38,7 +38,7 @@ abstract class InSandbox {
                 "data/color.csv")) {
             write(repository().resolve(source), "");
         }
-        for (String part : List.of("sunbeam", "app/src/archive/archive.sh")) {
+        for (String part : List.of("sunbeam", "app/src/archive/archive.sh", "app/src/archive/watch.sh")) {
             Files.createDirectories(repository().resolve(part).getParent());
             Files.copy(Sunbeam.repository().resolve(part), repository().resolve(part));
         }

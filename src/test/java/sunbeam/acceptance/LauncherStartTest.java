@@ -176,6 +176,18 @@ class LauncherStartTest extends InSandbox {
         assertThat(other.stderr()).endsWith("sunbeam: wrong\n").doesNotContain("X server");
     }
 
+    /** Java's report of its death would stand among the results, so it is suppressed; the line is the launcher's. */
+    @Test
+    void aJavaThatDiesAmongResultsIsOneLine() throws Exception {
+        installJava("jdk", "17.0.1", "kill -ABRT $$");
+        SunbeamResult died = command("inspect", "blaze", "--json").run().ended(128 + 6);
+        assertThat(died.stderr()).endsWith("sunbeam: Java has died (signal ABRT): no result is whole\n");
+
+        installJava("jdk", "17.0.1", "echo 'sunbeam: wrong' >&2", "cat", "exit 4");
+        SunbeamResult other = command("inspect", "blaze", "--json").run().ended(4);
+        assertThat(other.stderr()).endsWith("sunbeam: wrong\n").doesNotContain("died");
+    }
+
     @Test
     void theViewerWithoutAScreenSaysThatItNeedsOne() throws Exception {
         SunbeamResult result = command("view", "--patch", "blaze").run().ended(SunbeamResult.NO_GRAPHICS);
