@@ -173,14 +173,14 @@ class SameQuantityTest extends InOneWorkplace {
     @Test
     void anExportOfSpectraHasTheDivisorOfReflectance() throws IOException {
         workplace.succeedHere(
-                "export " + PATCH + WINDOW + "--energy conserve --format npz --channels spectral --bands 5"
-                        + " --size 2MB --tolerance 0.1 --samples 0 --output known.npz");
+                "export " + PATCH + WINDOW + "--energy conserve --format npz --channels spectral --bands 3"
+                        + " --size 500KB --tolerance 0.1 --samples 0 --output known.npz");
         int side = 25;
         float[] divisors = ValueCommand.arrays(workplace, "divisor").get(0);
-        int bands = 5;
+        int bands = 3;
         double most = 1;
         CsvFile.ofDirections(IntStream.range(0, bands)
-                        .mapToObj(i -> new double[] {30, 0, 25, 180, 380 + 100 * i})
+                        .mapToObj(i -> new double[] {30, 0, 25, 180, 380 + 200 * i})
                         .toList())
                 .write(workplace.resolve("list.csv"));
         List<CsvFile> both = new ArrayList<>();
