@@ -145,7 +145,7 @@ record ColorReport(
         fields.put("plane_azimuth_deg", colors.get(0).view().phiDegrees());
         fields.put("coherence_length_m", coherenceLength);
         fields.put("plan", plan);
-        fields.put("model", ModelError.of(patch.scan(), patch.repetition()).describe());
+        fields.put("model", ModelError.of(patch.measured(), patch.repetition()).describe());
         Optional<Map<String, Object>> values = purest.map(ViewColor::fields);
         values.ifPresent(spectrum::putBand);
         fields.put("purest", values.orElse(null));

@@ -72,7 +72,7 @@ record Inspection(
         return new Inspection(
                 patch,
                 thetaI,
-                ModelError.of(patch.scan(), patch.repetition()),
+                ModelError.of(patch.measured(), patch.repetition()),
                 EnergyBalance.largest(patch.scan(), RefractiveIndex.KERATIN, FROM_ABOVE),
                 period,
                 HeightSpectrum.of(patch.scan(), edges),
@@ -95,7 +95,8 @@ record Inspection(
         lines.add(verdict().sentence());
         lines.add("size      " + length(map.width()) + " x " + length(map.height()) + ", " + map.columns() + " x "
                 + map.rows() + " samples");
-        lines.add("heights   relief " + length(map.relief()) + ", roughness " + length(roughness()) + " rms");
+        lines.add("heights   relief " + length(patch.measured().relief()) + ", roughness " + length(roughness())
+                + " rms");
         lines.add(Text.format(
                 "slopes    %.1f degrees rms, steepest %.1f; %.1f %% of the surface steeper than %.0f degrees, where scalar theory"
                         + " fails",
@@ -137,7 +138,7 @@ record Inspection(
 
     /** Returns the root mean square of the heights about their mean (Sq of ISO 25178), meters. */
     private double roughness() {
-        return Math.sqrt(StatUtils.populationVariance(patch.scan().heights()));
+        return Math.sqrt(StatUtils.populationVariance(patch.measured().heights()));
     }
 
     Map<String, Object> fields() {
@@ -150,7 +151,7 @@ record Inspection(
         fields.put("width_m", map.width());
         fields.put("height_m", map.height());
         fields.put("sampling_is_fine_enough", Plausibility.pitch(map).isEmpty());
-        fields.put("relief_m", map.relief());
+        fields.put("relief_m", patch.measured().relief());
         fields.put("roughness_m", roughness());
         fields.put("rms_slope", slopes.rmsSlope());
         fields.put("largest_slope", slopes.largestSlope());

@@ -1,6 +1,7 @@
 package sunbeam.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -80,6 +81,31 @@ final class InspectCommandTest extends CommandLineFixture {
             assertThat(code).as("%s x %s: %s", size[0], size[1], err).isEqualTo(3);
             assertThat(out.toString()).startsWith("A mirror: ").contains("relief 0 m");
         }
+    }
+
+    /** Filled rows are smoother than the surface: they would hide steep slopes. */
+    @Test
+    void statisticsAreThoseOfMeasuredRows() throws IOException {
+        JsonNode whole = statistics(64);
+        JsonNode half = statistics(32);
+        for (String key : new String[] {"roughness_m", "rms_slope", "share_steeper_than_30_deg"}) {
+            double expected = whole.get(key).doubleValue();
+            assertThat(expected).as(key).isPositive();
+            // The plane of half of the rows differs a little.
+            assertThat(half.get(key).doubleValue()).as(key).isCloseTo(expected, withinPercentage(3));
+        }
+    }
+
+    private JsonNode statistics(int measured) throws IOException {
+        forgetOutput();
+        scan(
+                "part.txt",
+                "",
+                64,
+                64,
+                (column, row) -> row < measured ? 150 * Math.sin(2 * Math.PI * column / 16) : Double.NaN);
+        sunbeam("inspect @part.txt --height-unit nm --width 5um --json --output @part.png --force");
+        return new ObjectMapper().readTree(out.toString());
     }
 
     /** Writes a tilted wave as a scan of 10 x 5 um in text. */

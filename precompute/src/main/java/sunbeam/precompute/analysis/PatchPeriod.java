@@ -7,14 +7,11 @@ import sunbeam.precompute.analysis.HeightSpectrum.RepeatedPeriod;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.prepare.ScanFault;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /** Period of a patch: exact if the patch repeats it, else as its heights show it, taken as a piece of a surface. */
 record PatchPeriod(HeightMap scan, Hypothesis asked) {
-    // Share of unmeasured rows; a crop may lose half of the scan.
-    private static final double FEW_UNMEASURED = 0.02;
     // Meters: half of sunlight's coherence length. A larger patch may hold enough lines.
     private static final double LARGEST_REPEATED = CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / 2;
     // Three periods of four samples.
@@ -26,7 +23,7 @@ record PatchPeriod(HeightMap scan, Hypothesis asked) {
     private static final GratingPeriod NOTHING = GratingPeriod.vague(List.of(), 0, 0);
 
     static GratingPeriod of(Patch patch, Hypothesis asked) {
-        PatchPeriod period = new PatchPeriod(measured(patch.scan(), patch.faults()), asked);
+        PatchPeriod period = new PatchPeriod(patch.measured(), asked);
         if (!(period.scan.relief() > 0)) {
             return NOTHING.none("flat: a mirror without color");
         }
@@ -35,16 +32,6 @@ record PatchPeriod(HeightMap scan, Hypothesis asked) {
             case ASSUMED -> period.ofRepeated();
             case NONE -> period.ofPiece();
         };
-    }
-
-    /** Patterns in unmeasured rows are not the surface's. */
-    static HeightMap measured(HeightMap scan, List<ScanFault> faults) {
-        return faults.stream()
-                .filter(fault -> fault.unmeasured() > FEW_UNMEASURED)
-                .flatMap(fault -> fault.part().stream())
-                .findFirst()
-                .map(part -> part.apply(scan))
-                .orElse(scan);
     }
 
     /** A declared period may be so long that it holds a grating, whose lines differ slightly: a grating of split orders. */

@@ -49,6 +49,11 @@ public record Patch(
         return new Patch(other, heights, scan, source, channels, allNotes, warnings, faults, repetition);
     }
 
+    /** Returns the measured part of the scan, to which statistics of the heights refer. */
+    public HeightMap measured() {
+        return ScanFault.measured(scan, faults);
+    }
+
     /** Returns the shorter side along which heights change, meters; infinite for a flat patch. */
     public double shorterSide() {
         double alongX = changes(1, 0) ? heights.width() : Double.POSITIVE_INFINITY;

@@ -76,7 +76,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         Plausibility.mirror(measured, scan, prepared.steps()).ifPresent(warnings::add);
         Plausibility.pitch(surface).ifPresent(warnings::add);
         // Before blending, which bends the border.
-        ModelError.of(scan, repetition).warning().ifPresent(warnings::add);
+        ModelError.of(ScanFault.measured(scan, faults), repetition).warning().ifPresent(warnings::add);
         String source = read.source() + ", " + String.join(", ", prepared.steps());
         return new Patch(name, surface, scan, source, read.channels(), read.notes(), warnings, faults, repetition);
     }

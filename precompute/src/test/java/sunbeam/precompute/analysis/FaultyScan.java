@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Leveling;
+import sunbeam.precompute.prepare.ScanFault;
 import sunbeam.precompute.prepare.ScanFaults;
 
 /**
@@ -38,7 +39,7 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
 
     /** The program's estimate for the measured part of the scan; empty where it refuses. */
     Optional<GratingPeriod> estimate() {
-        HeightMap measured = PatchPeriod.measured(map, ScanFaults.in(map, Optional.empty()));
+        HeightMap measured = ScanFault.measured(map, ScanFaults.in(map, Optional.empty()));
         return PeriodModel.of(measured, Hypothesis.ANY).filter(GratingPeriod::isSure);
     }
 
