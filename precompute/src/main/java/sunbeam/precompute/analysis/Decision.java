@@ -2,6 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.function.Predicate;
 import sunbeam.precompute.analysis.GratingPeriod.Certainty;
 
 /**
@@ -9,26 +10,44 @@ import sunbeam.precompute.analysis.GratingPeriod.Certainty;
  * 1 in 200 surfaces without order are called sure and 3 in 100 probable. docs/evaluation.md has its rows.
  */
 enum Decision {
-    FINE_RELIEF(Certainty.NONE, "share below 0.08, half of the relief finer than light resolves"),
-    FAINT(Certainty.NONE, "share below 0.08"),
+    FINE_RELIEF(
+            Certainty.NONE,
+            "share below 0.08, half of the relief finer than light resolves",
+            wave -> isFaint(wave) && wave.unseen() > 0.5),
+    FAINT(Certainty.NONE, "share below 0.08", Decision::isFaint),
     ALL_DIRECTIONS(
-            Certainty.ALL_DIRECTIONS, "4 periods, ring 4, contrast below 40 (of a broad line 10), lines below 0.3"),
-    TOO_FEW(Certainty.TOO_LITTLE, "fewer than 3 periods; order, or lines 0.3 and contrast 10"),
-    UNRESOLVED(Certainty.TOO_LITTLE, "fewer than 3 samples a period; order, or as in the next row"),
+            Certainty.ALL_DIRECTIONS,
+            "4 periods, ring 4, contrast below 40 (of a broad line 10), lines below 0.3",
+            wave -> !wave.isStated()
+                    && wave.periods() >= 4
+                    && wave.ring() >= 4
+                    && wave.contrast() < (wave.broad() ? 10 : 40)
+                    && wave.lines() < 0.3),
+    TOO_FEW(
+            Certainty.TOO_LITTLE,
+            "fewer than 3 periods; order, or lines 0.3 and contrast 10",
+            wave -> wave.periods() < 3 && (isOrder(wave) || (wave.lines() >= 0.3 && wave.contrast() >= 10))),
+    UNRESOLVED(
+            Certainty.TOO_LITTLE,
+            "fewer than 3 samples a period; order, or as in the next row",
+            wave -> wave.samples() < 3 && (isOrder(wave) || isLikely(wave))),
     LIKELY(
             Certainty.PROBABLE,
             "no order; contrast 10; strays 0.5 or prominence 15; lines 0.2, prominence 4 (from contrast 60 on 15), significance 40, 3.5"
-                    + " periods; or, below contrast 60, 0.06, 8, 400, 10"),
-    POSSIBLE(Certainty.TOO_LITTLE, "no order; lines 0.15, prominence 3"),
-    NOISE(Certainty.NONE, "no order"),
-    FEW(Certainty.PROBABLE, "fewer than 4 periods"),
-    UNDERSAMPLED(Certainty.PROBABLE, "fewer than 4 samples a period"),
-    UNEVEN(Certainty.PROBABLE, "interval wider than a fifth of the period"),
-    SURE(Certainty.SURE, "else");
+                    + " periods; or, below contrast 60, 0.06, 8, 400, 10",
+            wave -> !isOrder(wave) && isLikely(wave)),
+    POSSIBLE(
+            Certainty.TOO_LITTLE,
+            "no order; lines 0.15, prominence 3",
+            wave -> !isOrder(wave) && wave.lines() >= 0.15 && wave.prominence() >= 3),
+    NOISE(Certainty.NONE, "no order", wave -> !isOrder(wave)),
+    FEW(Certainty.PROBABLE, "fewer than 4 periods", wave -> wave.periods() < 4),
+    UNDERSAMPLED(Certainty.PROBABLE, "fewer than 4 samples a period", wave -> wave.samples() < 4),
+    UNEVEN(Certainty.PROBABLE, "interval wider than a fifth of the period", wave -> 2 * wave.halfWidth() > 0.2),
+    SURE(Certainty.SURE, "else", wave -> true);
 
     // Probability that the strongest of a few random waves has such a share, or that noise in one direction has such a
-    // peak,
-    // on whose period the parts of the scan agree so well.
+    // peak, on whose period the parts of the scan agree so well.
     private static final double FALSE_ALARMS = 0.005;
     // Half widths of intervals of noise, in periods over the scan, are spread evenly up to this one.
     private static final double DISAGREEING = 1;
@@ -39,9 +58,13 @@ enum Decision {
     final Certainty certainty;
     private final String condition;
 
-    Decision(Certainty certainty, String condition) {
+    @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
+    private final Predicate<Evidence> holds;
+
+    Decision(Certainty certainty, String condition, Predicate<Evidence> holds) {
         this.certainty = certainty;
         this.condition = condition;
+        this.holds = holds;
     }
 
     /** Returns the row of the table in docs/evaluation.md. */
@@ -51,31 +74,9 @@ enum Decision {
 
     static Decision of(Evidence wave) {
         return Arrays.stream(values())
-                .filter(row -> row.holds(wave))
+                .filter(row -> row.holds.test(wave))
                 .findFirst()
                 .orElseThrow();
-    }
-
-    private boolean holds(Evidence wave) {
-        return switch (this) {
-            case FINE_RELIEF -> isFaint(wave) && wave.unseen() > 0.5;
-            case FAINT -> isFaint(wave);
-            case ALL_DIRECTIONS ->
-                !wave.isStated()
-                        && wave.periods() >= 4
-                        && wave.ring() >= 4
-                        && wave.contrast() < (wave.broad() ? 10 : 40)
-                        && wave.lines() < 0.3;
-            case TOO_FEW -> wave.periods() < 3 && (isOrder(wave) || (wave.lines() >= 0.3 && wave.contrast() >= 10));
-            case UNRESOLVED -> wave.samples() < 3 && (isOrder(wave) || isLikely(wave));
-            case LIKELY -> !isOrder(wave) && isLikely(wave);
-            case POSSIBLE -> !isOrder(wave) && wave.lines() >= 0.15 && wave.prominence() >= 3;
-            case NOISE -> !isOrder(wave);
-            case FEW -> wave.periods() < 4;
-            case UNDERSAMPLED -> wave.samples() < 4;
-            case UNEVEN -> wave.width() > 0.1;
-            case SURE -> true;
-        };
     }
 
     private static boolean isFaint(Evidence wave) {

@@ -14,7 +14,7 @@ package sunbeam.precompute.analysis;
  * @param significance power of the wave's peak over the median around it
  * @param unseen share of the variance finer than light resolves, 0..1
  * @param chance significance and prominence that, among the waves that were stated, noise reaches in 1 of 100 scans; infinite if none was stated
- * @param width half width of the frequency's 95 % interval, relative; infinite before it is known
+ * @param halfWidth half width of the frequency's 95 % interval, relative; infinite before it is known
  */
 record Evidence(
         boolean broad,
@@ -28,7 +28,7 @@ record Evidence(
         double significance,
         double unseen,
         double chance,
-        double width) {
+        double halfWidth) {
     // Share of the variance; leakage of other waves stays below it.
     private static final double LEAST_STATED = 0.01;
 
@@ -39,7 +39,7 @@ record Evidence(
 
     /** Half width of the frequency's 95 % interval, periods over the scan. */
     double strays() {
-        return width * periods;
+        return halfWidth * periods;
     }
 
     boolean isStated() {

@@ -34,6 +34,7 @@ public record GratingPeriod(
         Certainty certainty,
         String reason,
         Optional<WaveLimit> limit) {
+    /** In descending order of what is known. */
     public enum Certainty {
         SURE,
         /** Period without a known interval. */
@@ -69,13 +70,13 @@ public record GratingPeriod(
         return new TDistribution(degreesOfFreedom).inverseCumulativeProbability(0.5 + 0.5 * PROBABILITY);
     }
 
-    /** @param waves the strongest first; none for a surface without a wave */
+    /** Returns a wave of any period, on which nothing is decided; {@code waves}: the strongest first, none for a surface without a wave. */
     static GratingPeriod vague(List<SpatialFrequency> waves, double periods, double share) {
         SpatialFrequency wave = waves.isEmpty() ? new SpatialFrequency(0, 0) : waves.get(0);
         List<SpatialFrequency> others = waves.isEmpty() ? waves : waves.subList(1, waves.size());
         double longest = Double.POSITIVE_INFINITY;
         return new GratingPeriod(
-                wave, 0, longest, Math.PI, periods, share, others, Certainty.SURE, "", Optional.empty());
+                wave, 0, longest, Math.PI, periods, share, others, Certainty.NONE, "", Optional.empty());
     }
 
     /** Sets the interval of the frequency, cycles per meter, and the half width of the direction's interval, radians. */

@@ -143,8 +143,9 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
             }
             List<SpatialFrequency> waves = found.stream().map(Family::wave).toList();
             double length = waves.get(0).length();
-            return Optional.of(
-                    GratingPeriod.vague(waves, Double.POSITIVE_INFINITY, share).within(length, length, 0));
+            return Optional.of(GratingPeriod.vague(waves, Double.POSITIVE_INFINITY, share)
+                    .within(length, length, 0)
+                    .withCertainty(GratingPeriod.Certainty.SURE, ""));
         }
 
         private Optional<Family> strongest(List<Family> before) {

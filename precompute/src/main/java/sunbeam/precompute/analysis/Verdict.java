@@ -14,7 +14,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     /** Angles of 400 and 700 nm for all periods in the interval; degrees, positive on the light's side, 90 or -90 beyond the horizon. */
     public record Band(double blue, double red) {}
 
-    /** Kinds of surfaces (docs/evaluation.md); those up to ALL_DIRECTIONS have colors. */
+    /** Kinds of surfaces (docs/evaluation.md). */
     public enum Code {
         SURE_GRATING,
         PROBABLE_GRATING,
@@ -52,24 +52,35 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         }
         if (!period.isSeen()) {
             String why = period.reason();
-            Code code = Code.valueOf(period.certainty().name());
-            return new Verdict(code, why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1), List.of());
+            return new Verdict(
+                    code(period), why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1), List.of());
         }
         boolean lattice = period.isLattice();
-        Code sure = lattice ? Code.LATTICE : Code.SURE_GRATING;
-        Code seen = period.isSure() ? sure : lattice ? Code.PROBABLE_LATTICE : Code.PROBABLE_GRATING;
         double along = Math.sin(Math.toRadians(theta)) * Math.cos(Math.toRadians(phi));
         // Orders keep the light's component along the lines.
         double horizon = Math.cos(Math.asin(Math.sin(Math.toRadians(theta)) * Math.sin(Math.toRadians(phi))));
         List<Band> firstOrders = firstOrders(period, -along, horizon);
         return new Verdict(
-                firstOrders.isEmpty() ? Code.FINER_THAN_LIGHT : seen,
+                firstOrders.isEmpty() ? Code.FINER_THAN_LIGHT : code(period),
                 (lattice ? lattice(period) : grating(period)) + ": " + colors(period, theta, phi, firstOrders),
                 firstOrders);
     }
 
     public boolean hasColor() {
-        return code.compareTo(Code.ALL_DIRECTIONS) <= 0;
+        return switch (code) {
+            case SURE_GRATING, PROBABLE_GRATING, LATTICE, PROBABLE_LATTICE, ALL_DIRECTIONS -> true;
+            case FINER_THAN_LIGHT, NONE, TOO_LITTLE, MIRROR -> false;
+        };
+    }
+
+    private static Code code(GratingPeriod period) {
+        return switch (period.certainty()) {
+            case SURE -> period.isLattice() ? Code.LATTICE : Code.SURE_GRATING;
+            case PROBABLE -> period.isLattice() ? Code.PROBABLE_LATTICE : Code.PROBABLE_GRATING;
+            case ALL_DIRECTIONS -> Code.ALL_DIRECTIONS;
+            case TOO_LITTLE -> Code.TOO_LITTLE;
+            case NONE -> Code.NONE;
+        };
     }
 
     private static String grating(GratingPeriod period) {
