@@ -123,7 +123,7 @@ record ColorReport(
                 color.view().strip(),
                 color.describeHue(),
                 color.hex())));
-        double reach = CoherenceWindow.ofCoherenceLength(coherenceLength).mirrorReach(0);
+        double reach = CoherenceWindow.ofCoherenceLength(coherenceLength).mirrorReach(CieTable.MAXIMUM_WAVELENGTH, 0);
         if (colored
                 && colors.stream().noneMatch(color -> color.view().distances().getMin() < reach)) {
             lines.add("the mirror direction lies beside both planes, and most colors with it; without --phi-i the light"

@@ -104,7 +104,7 @@ final class SurfaceColors {
         this.theta = theta;
         turn = light.get(SceneSettings.ROTATE_PATCH);
         period = found.turned(turn);
-        reach = window.mirrorReach(period.isSeen() ? period.period() : 0);
+        reach = window.mirrorReach(CieTable.MAXIMUM_WAVELENGTH, period.isSeen() ? period.period() : 0);
         azimuthDegrees = Math.toDegrees(period.hasWave() ? period.azimuth() : turn);
         lightAzimuthDegrees = light.find(LightOptions.PHI_I).map(Math::toDegrees);
         for (boolean along : new boolean[] {true, false}) {

@@ -4,8 +4,7 @@ package sunbeam.precompute.optics;
 public record CoherenceWindow(double sigmaMeters) {
     /** Sunlight's coherence length, meters (thesis, draft 001, section 2.2.2). */
     public static final double SUNLIGHT_COHERENCE_LENGTH = 65e-6;
-    // Meters; scatter of surface waves longer than the second counts as gloss.
-    private static final double LONGEST_WAVELENGTH = 780e-9;
+    // Meters; scatter of longer surface waves counts as gloss.
     private static final double LONGEST_WAVE = 5e-6;
 
     public static CoherenceWindow ofCoherenceLength(double meters) {
@@ -37,7 +36,7 @@ public record CoherenceWindow(double sigmaMeters) {
         return wavelength * sigmaFrequency() / Math.sqrt(2);
     }
 
-    /** Returns the amplitude of the window, or of its spectrum, relative to the center's; distance in standard deviations of either. */
+    /** Returns the amplitude of the window, or of its spectrum, relative to the center's, at a distance in its standard deviations. */
     public static double amplitude(double deviations) {
         return Math.exp(-0.5 * deviations * deviations);
     }
@@ -58,10 +57,10 @@ public record CoherenceWindow(double sigmaMeters) {
     }
 
     /**
-     * Returns the |(u, v)| below which only gloss is seen, and no orders (docs/color.md): the specular peak of visible light, and light
-     * scattered by waves longer than both 5 um and two periods of the surface (meters; 0 if none is known).
+     * Returns the |(u, v)| below which only gloss is seen, and no orders (docs/color.md): the specular peak of the longest wavelength, meters, and
+     * light scattered by waves longer than both 5 um and two periods of the surface (meters; 0 if none is known).
      */
-    public double mirrorReach(double period) {
-        return Math.max(specularReach(LONGEST_WAVELENGTH), LONGEST_WAVELENGTH / Math.max(LONGEST_WAVE, 2 * period));
+    public double mirrorReach(double longestWavelength, double period) {
+        return Math.max(specularReach(longestWavelength), longestWavelength / Math.max(LONGEST_WAVE, 2 * period));
     }
 }

@@ -94,8 +94,7 @@ public record ReferenceEvaluator(
     }
 
     private double powerGauss(double frequency) {
-        double ratio = frequency / window.sigmaFrequency();
-        return Math.exp(-ratio * ratio);
+        return CoherenceWindow.power(frequency / window.sigmaFrequency());
     }
 
     double productCount(boolean ensemble) {

@@ -1,6 +1,7 @@
 package sunbeam.precompute.reference;
 
 import java.util.Arrays;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
@@ -139,8 +140,7 @@ record SurfaceSums(HeightLevels heights, boolean isTabulated) {
                 double[] amplitudes = new double[extent + 1];
                 double total = 0;
                 for (int i = extent; i >= 0; i--) {
-                    double deviations = i * step / sigma;
-                    amplitudes[i] = Math.exp(-0.5 * deviations * deviations);
+                    amplitudes[i] = CoherenceWindow.amplitude(i * step / sigma);
                     total += i == 0 ? amplitudes[i] : 2 * amplitudes[i];
                 }
                 for (int i = 0; i <= extent; i++) {
