@@ -111,10 +111,11 @@ record InspectionSheet(Inspection inspection, List<String> lines, int width, Opt
 
     /** Returns the values of the only panel in SI units; those of the heights are the scan itself. */
     Optional<StreamContent> csv() {
-        return panel.filter(drawn -> drawn != Panel.HEIGHTS).map(drawn -> switch (drawn) {
-            case HISTOGRAM -> table("height_m", "share_per_m", histogram(), NANOMETERS, 1 / NANOMETERS);
-            case PROFILE -> table("position_m", "height_m", profile(), MICROMETERS, NANOMETERS);
-            default -> densities();
+        return panel.flatMap(drawn -> switch (drawn) {
+            case HEIGHTS -> Optional.<StreamContent>empty();
+            case SPECTRUM -> Optional.of(densities());
+            case HISTOGRAM -> Optional.of(table("height_m", "share_per_m", histogram(), NANOMETERS, 1 / NANOMETERS));
+            case PROFILE -> Optional.of(table("position_m", "height_m", profile(), MICROMETERS, NANOMETERS));
         });
     }
 

@@ -246,18 +246,20 @@ public final class SceneSettings {
             SHADOWS,
             BACKGROUND);
 
-    /** Settings, beside the weights, that each of several objects has. */
-    static final List<Setting<?>> KEYS_OF_OBJECT =
-            List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ROTATE_PATCH, ORIENTATION_MAP, ROUGHNESS, INDEX, ENERGY);
+    private static final List<Setting<?>> OF_SKIN = List.of(ROUGHNESS, INDEX, ENERGY);
+
+    /** Keys of the root, or of each of several objects. */
+    static final List<Setting<?>> OF_ROOT_OR_OBJECT =
+            Setting.union(List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ROTATE_PATCH, ORIENTATION_MAP), OF_SKIN);
 
     static final List<Setting<?>> OF_ROOT_ALONE = OF_ROOT.stream()
-            .filter(setting -> !KEYS_OF_OBJECT.contains(setting))
+            .filter(setting -> !OF_ROOT_OR_OBJECT.contains(setting))
             .toList();
 
-    static final List<Setting<?>> OF_OBJECT = Setting.union(KEYS_OF_OBJECT, WEIGHTS);
+    static final List<Setting<?>> OF_OBJECT = Setting.union(OF_ROOT_OR_OBJECT, WEIGHTS);
 
     /** Settings of the shading pass: objects with equal ones, and equal patches, are shaded together. */
-    static final List<Setting<?>> OF_LOOK = Setting.union(List.of(ROUGHNESS, INDEX, ENERGY), WEIGHTS);
+    static final List<Setting<?>> OF_LOOK = Setting.union(OF_SKIN, WEIGHTS);
 
     static final List<Setting<?>> OF_SCENE =
             Stream.of(OF_ROOT, OF_ENVIRONMENT, WEIGHTS).flatMap(List::stream).toList();
@@ -267,7 +269,7 @@ public final class SceneSettings {
 
     /** Settings whose change requires loading. */
     static final List<Setting<?>> PARTS =
-            List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ORIENTATION_MAP, ROUGHNESS, INDEX, ENERGY, ENVIRONMENT);
+            Setting.union(List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ORIENTATION_MAP, ENVIRONMENT), OF_SKIN);
 
     public static final List<Setting<?>> OVERRIDABLE = OF_SCENE.stream()
             .filter(setting -> !List.of(TITLE, BACKGROUND).contains(setting))

@@ -124,7 +124,7 @@ public final class SceneWriter {
     /** Writes the current object of a scene. */
     private void thing(Scene scene) throws IOException {
         json.writeStartObject();
-        settings(scene, SceneSettings.KEYS_OF_OBJECT);
+        settings(scene, SceneSettings.OF_ROOT_OR_OBJECT);
         patches(scene.patches());
         Placement placement = scene.placement();
         if (!placement.position().equals(0, 0, 0)) {

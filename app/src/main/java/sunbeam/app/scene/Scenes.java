@@ -45,9 +45,9 @@ public final class Scenes {
                             + " xenopeltis-body xenopeltis-scales light-left light-above light-right")
                     .split(" ", -1));
 
-    // Meters; also of a component of a direction.
+    // Largest length, meters, and largest component of a direction.
     private static final double LARGEST_NUMBER = 1e6;
-    // Meters.
+    // Smallest size, meters.
     private static final double SMALLEST_SIZE = 1e-9;
 
     private final JsonObject root;
@@ -182,10 +182,10 @@ public final class Scenes {
     /** Reads an object, which is the root or one of its list. An object of the list inherits missing keys from the root. */
     private SceneObject object(JsonObject keys, boolean isOfList) {
         Choices own =
-                choices(keys, SceneSettings.KEYS_OF_OBJECT).over(weights(keys, !isOfList || !root.has("weights")));
+                choices(keys, SceneSettings.OF_ROOT_OR_OBJECT).over(weights(keys, !isOfList || !root.has("weights")));
         Placement placement = Placement.NONE;
         if (isOfList) {
-            Choices common = choices(root, SceneSettings.KEYS_OF_OBJECT);
+            Choices common = choices(root, SceneSettings.OF_ROOT_OR_OBJECT);
             common = own.has(SceneSettings.MESH) ? common.without(SceneSettings.MESH_UNIT) : common;
             own = own.over(common.over(root.has("weights") ? weights(root, true) : Choices.none()));
             placement = placement(keys);

@@ -1,5 +1,6 @@
 package sunbeam.app.scene.environment;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -8,8 +9,6 @@ import org.joml.Vector3f;
 
 /** Maps that are computed. A white surface that faces their brightest side has the radiance 1, except under {@code sky}. */
 final class BuiltInEnvironments {
-    static final List<String> NAMES = List.of("window", "overcast", "sun", "sky");
-
     // Rows. A pixel of the fine ones is somewhat larger than the sun.
     private static final int FINE = 256;
     private static final int SMOOTH = 128;
@@ -26,13 +25,18 @@ final class BuiltInEnvironments {
         double[] at(double azimuth, double elevation);
     }
 
-    private static final Map<String, Sky> SKIES = Map.of(
-            "window", BuiltInEnvironments::window,
-            "overcast", BuiltInEnvironments::overcast,
-            "sun", BuiltInEnvironments::clear,
-            "sky", BuiltInEnvironments::sky);
+    private static final Map<String, Sky> SKIES = new LinkedHashMap<>();
 
-    /** Initialized on first use, by one thread, after this class, whose methods other threads then call. */
+    static {
+        SKIES.put("window", BuiltInEnvironments::window);
+        SKIES.put("overcast", BuiltInEnvironments::overcast);
+        SKIES.put("sun", BuiltInEnvironments::clear);
+        SKIES.put("sky", BuiltInEnvironments::sky);
+    }
+
+    static final List<String> NAMES = List.copyOf(SKIES.keySet());
+
+    /** A class of its own, since the threads that compute the map wait for as long as the outer class is being initialized. */
     static final class Shared {
         static final RadianceMap SKY = of("sky");
 
