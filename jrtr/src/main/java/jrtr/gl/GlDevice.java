@@ -37,8 +37,7 @@ final class GlDevice {
 
     static GlDevice open() {
         DisplayFaults.prepare();
-        // The connection stays open until there is a context: without the option -noreset, X servers reset when their
-        // last client goes.
+        // The connection stays open until there is a context: without -noreset, X servers reset when none is left.
         AbstractGraphicsDevice display = connectToDisplay();
         try {
             return create();

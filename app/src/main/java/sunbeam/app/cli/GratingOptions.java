@@ -26,8 +26,7 @@ public final class GratingOptions extends SettingOptions {
     private static final int FEWEST = 3;
     // Limit of pairs of angle and wavelength: 160 MB of doubles.
     private static final long MOST_DIRECTIONS = 20_000_000;
-    // Largest step between angles, in deviations of the window's spectrum: three samples lie on the top half of a
-    // ridge.
+    // Largest step between angles, in deviations of the window's spectrum: three samples lie on a ridge's top half.
     private static final double COARSEST_STEP = 0.6;
     private static final Setting<Double> THETA_I = LightOptions.THETA_I.withStandard(Math.toRadians(75));
     private static final Setting<Double> PHI_I = new Setting<>(

@@ -38,8 +38,7 @@ final class LightTexture implements AutoCloseable {
     private static final int TILE = 4;
     private static final int MATRIX = 5;
 
-    // In texels, sides of the image of all maps, for still pictures and for moving ones, which may draw it for each
-    // frame.
+    // In texels, sides of the image of all maps: for still pictures, and for moving ones, which may draw each frame.
     private static final int SIDE = 1024;
     private static final int MANY_SIDE = 2048;
     private static final int MOVING_SIDE = 320;

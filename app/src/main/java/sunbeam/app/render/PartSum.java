@@ -28,13 +28,11 @@ import sunbeam.app.scene.SceneSettings.BodyAlpha;
  * @param sessions one session per part
  */
 public record PartSum(List<SceneSession> sessions) {
-    // In pixels, longer sides of the pictures that are metered for automatic exposure, under the light and under those
-    // around it.
+    // Longer sides, pixels, of the pictures metered for automatic exposure, under the light and those around it.
     private static final int METER_SIDE = 160;
     private static final int AROUND_SIDE = 80;
 
-    // Factor by which the direction of the light may change the exposure: a stop, between a high and a low key of one
-    // scene.
+    // Factor by which the light's direction may change the exposure: a stop, between high and low key of a scene.
     private static final double MOST_BY_LIGHT = 2;
 
     // Samples along a metered pixel's side by method table; other methods take one.

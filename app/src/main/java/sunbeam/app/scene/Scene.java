@@ -46,9 +46,7 @@ public record Scene(
     /** The shaders' limit of lights, less the key light. */
     public static final int MOST_FILL_LIGHTS = Light.MOST - 1;
 
-    // Number of metered directions around the light's own, and the tangent of their angle to it: wider than an order's
-    // streak
-    // on built-in scenes.
+    // Directions metered around the light's: number, and tangent of their angle to it, wider than orders' streaks.
     private static final int METER_TILTS = 4;
     private static final double METER_TILT = Math.tan(Math.toRadians(25));
 

@@ -55,7 +55,7 @@ public final class SceneSharing {
                 && scene.patches().map().equals(other.patches().map());
     }
 
-    /** True if tables of both have the same factors: constant indices differ only in the divisor of conserved energy. */
+    /** True if tables of both have the same factors: those do not depend on a constant index, unless energy is conserved. */
     public static boolean sharesReflectance(Scene scene, Scene other) {
         SkinIndex index = scene.get(SceneSettings.INDEX);
         SkinIndex otherIndex = other.get(SceneSettings.INDEX);

@@ -222,7 +222,7 @@ public final class Viewer {
         return viewer.get();
     }
 
-    /** A display that does not answer, or a Java installation without AWT's screen libraries, has a message. */
+    /** Returns a failure to throw: with a message if the display does not answer or Java has no screen libraries. */
     private static RuntimeException unchecked(Throwable failure) {
         if (!(failure instanceof AWTError || failure instanceof LinkageError)) {
             return failure instanceof RuntimeException cause ? cause : new IllegalStateException(failure);

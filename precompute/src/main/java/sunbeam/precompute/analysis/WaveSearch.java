@@ -27,8 +27,7 @@ record WaveSearch(HeightMap scan, LineMeasures measures) {
     private static final double WEAK_FUNDAMENTAL = 0.04;
     private static final double SIGNIFICANT = 40;
     private static final double PROMINENT = 10;
-    // Chance that a difference of uneven lines is taken for one that repeats, for each of the three lines tried: in 1
-    // of 1000 scans.
+    // Chance that a difference of uneven lines is taken for a repeated one, for each of three lines: 1 of 1000 scans.
     private static final double CHANCE = 0.0003;
     private static final double FEWEST_OF_FAINT = 6;
     // Power: a twentieth of the amplitude. Leveling and windows leave less of a pure wave between its orders.

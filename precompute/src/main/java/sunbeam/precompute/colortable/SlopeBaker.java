@@ -28,8 +28,7 @@ public record SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid p
     /** Least weight of a wavelength, relative to white. */
     private static final double LEAST_WEIGHT = 1e-5;
 
-    // Step of |w| for derivatives of coefficients, whose phase changes by less than a tenth with it up to 2 um of
-    // relief.
+    // Step of |w| for derivatives of coefficients, whose phase it changes by less than a tenth up to 2 um of relief.
     private static final double DEPTH_STEP = 4e-3;
 
     /** Wavelengths of a step, and per slice of |w| its sums over terms. */

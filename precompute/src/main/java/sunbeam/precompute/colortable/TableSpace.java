@@ -60,12 +60,10 @@ public sealed interface TableSpace {
         public double[] uvw(double x, double y, double depth) {
             double radius = Math.hypot(x, y);
             double distance = Math.min(radius, LARGEST);
-            // With t = 1 - cos(theta / 2) the squared radius is t (2 - t)^3, and sin theta 2 (1 - t) / (2 - t)
-            // radii.
+            // With t = 1 - cos(theta / 2) the squared radius is t (2 - t)^3, and sin theta 2 (1 - t) / (2 - t) radii.
             double t = versedSine(distance * distance);
             double across = 2 * (1 - t) / (2 - t) * (radius > distance ? distance / radius : 1);
-            // Below the horizon, where there are no views, the grid continues, so that filters see a smooth
-            // function.
+            // Below the horizon, where there are no views, the grid continues, so that filters see a smooth function.
             double w = -Math.max(0, light.z() + 1 - 2 * t * (2 - t));
             return new double[] {-light.x() - across * x, -light.y() - across * y, w};
         }

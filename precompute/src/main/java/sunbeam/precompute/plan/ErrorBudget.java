@@ -35,7 +35,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     private static final double ROUGH_SKIRT = 3.5;
     // Errors of interpolation and of the rule over wavelengths average out on rough patches; measured.
     private static final double ROUGH_AVERAGING = 8;
-    // One direction in ten is darker than Roughness.dark, and there 3 t is promised.
+    // One direction in ten is darker than Roughness.dark, where three tolerances are allowed.
     private static final double AT_DARK_DIRECTIONS = 2;
     private static final double PANEL_ERROR = 105 * Math.pow(24, 4) / (9 * Math.pow(40320, 3)) / Math.sqrt(2 * Math.PI);
     private static final double CUT_ERROR = 3.0 / 160 * 3 / Math.sqrt(2 * Math.PI);
@@ -63,7 +63,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return (int) Math.max(0, Math.ceil(sigmaBins * reach - 0.5));
     }
 
-    /** The ensemble's grid serves both averages. */
+    /** Returns the design for one average; the ensemble average's serves the coherent one too. */
     public InterpolationDesign interpolation(Average average) {
         return InterpolationDesign.within(interpolated(average), skirt(average));
     }

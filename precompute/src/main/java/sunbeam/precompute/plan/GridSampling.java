@@ -150,7 +150,7 @@ public record GridSampling(
             }
         }
 
-        /** Real fields; the function returns {@code [field - first][bin]} from a first field to an end. */
+        /** Real fields; {@code values} returns those from a first to before a last one, as {@code [field - first][bin]}. */
         private record Fields(
                 CoefficientTable coefficients, int count, BiFunction<Integer, Integer, double[][]> values) {}
 

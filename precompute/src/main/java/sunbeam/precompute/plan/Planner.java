@@ -259,8 +259,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             // Columns are closer where both axes would be interpolated too far out.
             double reach = fewestNodes() * step / CieTable.BAND_WIDTH;
             double closer = step / (int) Math.ceil(reach / LARGEST_CENTER);
-            // Single wavelengths sum bins, unless these exceed the limit of a shader's loops; then a grid serves both
-            // averages.
+            // Single wavelengths sum bins, or, beyond the limit of a shader's loops, have a grid for both averages.
             Sampling spectral = bins().bins() <= Sampling.MOST_LOOP_STEPS
                     ? new OrderSampling(bins(), Optional.empty(), band)
                     : new GridSampling(

@@ -18,8 +18,7 @@ public final class RowWave {
     private static final int OVERTONES = 3;
     // Bins of a Hann window's line, relative to its peak.
     private static final double HANN_BINS = 1.5;
-    // Least share of the steps' power in a wave, and the probability that the strongest of a few random waves holds as
-    // much.
+    // Least share of the steps' power in a wave; probability that the strongest of a few random waves has as much.
     private static final double LEAST_SHARE = 0.3;
     private static final double FALSE_ALARMS = 0.005;
 

@@ -45,8 +45,7 @@ final class OpticalReaders {
     private static final int KEYENCE_HEIGHT_OFFSETS = 36;
     private static final int KEYENCE_IMAGES = 3;
     private static final int KEYENCE_PALETTE = 768;
-    // Offset of the width of a pixel in the settings, which begin four bytes earlier in .vk3 files; its height and the
-    // step follow.
+    // Offset of a pixel's width in the settings, which begin four bytes earlier in .vk3; its height and step follow.
     private static final int KEYENCE_PITCH = 168;
     private static final Map<Integer, SampleType> KEYENCE_TYPES =
             Map.of(8, SampleType.UNSIGNED_8, 16, SampleType.UNSIGNED_16, 32, SampleType.UNSIGNED_32);

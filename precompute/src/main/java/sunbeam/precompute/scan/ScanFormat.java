@@ -9,7 +9,7 @@ public record ScanFormat(String name, Reading<Boolean> check, Reading<List<ScanC
     private static final ScanFormat PICTURE =
             new ScanFormat("image", file -> PictureReader.kind(file).isPresent(), PictureReader::channels);
 
-    /** In the order of their checks; text and pictures come last. */
+    /** All but text and pictures, in the order of their checks; {@link #find} then tries text, and last pictures. */
     private static final List<ScanFormat> ALL = List.of(
             ScanFormat.of("Gwyddion (.gwy)", GwyddionReader::channels, "GWYP", "GWYO"),
             ScanFormat.of("Gwyddion Simple Field (.gsf)", GwyddionReader::simpleField, "Gwyddion Simple Field 1.0\n"),
@@ -43,8 +43,8 @@ public record ScanFormat(String name, Reading<Boolean> check, Reading<List<ScanC
             new ScanFormat("Sensofar (.plu)", OpticalReaders::isSensofar, OpticalReaders::sensofar));
 
     /**
-     * Fast test whether a file has the format, which throws no exception for any content; or reader of the channels from its header, whose samples
-     * can be read while the file is open. The reader throws ScanException if the file cannot be used.
+     * Either the check whether a file has the format, which is fast and throws no exception for any content; or the reader of its channels, which
+     * reads headers and throws ScanException if the file cannot be used. The channels' samples can be read while the file is open.
      */
     @FunctionalInterface
     public interface Reading<T> {

@@ -13,7 +13,7 @@ import sunbeam.precompute.text.Text;
 
 /** Reader of text: after any header, a matrix of numbers from the top row, or points x y z on a grid. */
 public final class TextReader {
-    /** If it is a point, commas separate numbers. */
+    /** Mark of decimals that the user chose; with a point, commas separate numbers. */
     public enum DecimalMark {
         POINT,
         COMMA

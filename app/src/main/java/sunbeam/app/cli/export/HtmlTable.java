@@ -31,8 +31,7 @@ final class HtmlTable implements TableWriter {
 
     private final double tolerance;
     private final Optional<PageScene> scene;
-    // The last grid: its size and contents are needed several times, but compressed once. A writer's grids differ in
-    // their level.
+    // The last grid: its contents are needed several times, but compressed once. A writer's grids differ in level.
     private QuantizedGrid packed;
 
     /** @param scene what the page shows; empty for a map and a sphere */

@@ -48,8 +48,7 @@ public final class PlotFont {
         try {
             return read(style);
         } catch (InternalError | RuntimeException withoutFonts) {
-            // Java's font manager does not start on a Linux without fontconfig or without any font, unless this
-            // property names fonts.
+            // Java's font manager does not start on a Linux without fontconfig or fonts, unless this names fonts.
             System.setProperty("sun.awt.fontconfig", configuration().toString());
             return read(style);
         }

@@ -8,7 +8,7 @@ import sunbeam.precompute.color.DisplayTransform;
 
 /** Linear CIE XYZ per pixel: {@code height * width * 3} values, row 0 on top, NaN where there is no surface. */
 public record LinearPicture(int width, int height, float[] xyz) {
-    /** Display luminance of the brighter half's mean; white is 1. Orders several times brighter are compressed. */
+    /** Luminance, relative to the screen's white, that the brighter half of a picture has in the mean after {@link #exposure}. */
     public static final double EXPOSURE_TARGET = 0.42;
 
     private static final double DARKER = 0.5;

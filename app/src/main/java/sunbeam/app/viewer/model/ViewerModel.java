@@ -84,8 +84,7 @@ public final class ViewerModel {
     private void set(Scene next, boolean mustLoad) {
         boolean loads = mustLoad || loaded == null || !SceneSharing.sharesParts(next, wanted);
         wanted = next;
-        // The old parts follow drags while others load, but are not drawn with the view or the weights of another
-        // scene.
+        // The old parts follow drags while others load, but are not drawn with another scene's view or weights.
         if (loaded != null && opening.isEmpty() && (loaded.firstPart().suits(next) || hasOldWeights(next))) {
             loaded = loaded.with(SceneSharing.withPartsOf(loaded.firstPart().scene(), next));
         }
