@@ -66,7 +66,6 @@ final class SkinSurface implements AutoCloseable {
     private final double diffractionScale;
     private final Optional<VirtualTexture> texture;
     private final Optional<ReflectanceComponent> component;
-    // Keys are whether lights are many. The first picture is a moving one and needs none.
     // Keys are whether there are many lights.
     private final Map<Boolean, ShaderProgram> programs = new HashMap<>();
     // Keys are numbers of lights.
