@@ -18,8 +18,7 @@ record PhaseSlope(double value, double halfWidth) {
     private static final double LEAST_FILLED = 0.3;
     // Steps of a random walk's means under Hann windows have half the mean square of its own.
     private static final double SMOOTHED = 1.4;
-    // Standard error of gratings in cycles per length, and its weight in degrees of freedom: few windows do not tell
-    // their own error.
+    // Standard error of gratings, cycles per length, and its degrees of freedom: few windows do not tell their error.
     private static final double USUAL = 0.01;
     private static final double USUAL_DEGREES = 5;
     // Ratio of a steady wave's median to its mean.

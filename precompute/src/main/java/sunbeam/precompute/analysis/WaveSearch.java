@@ -21,8 +21,7 @@ record WaveSearch(HeightMap scan, LineMeasures measures) {
     private static final int MOST_DIRECTIONS = 3;
     // Ratio of frequencies: a sum of two waves is finer than both, but for the third direction of a hexagonal lattice.
     private static final double COARSER = 0.95;
-    // Power of a fundamental relative to the overtone's: one that needs no other evidence, and a fifth of the
-    // amplitude.
+    // Power of a fundamental relative to the overtone's: without other evidence, and with it, a fifth in amplitude.
     private static final double LEAST_FUNDAMENTAL = 0.25;
     private static final double WEAK_FUNDAMENTAL = 0.04;
     private static final double SIGNIFICANT = 40;
