@@ -204,7 +204,7 @@ record ColorReport(
          *
          * @param along true in the plane across the lines of the grating, where color spreads most; false in the plane at right angles to it
          * @param thetaRDegrees angle of the viewer to the normal, positive towards the plane's azimuth
-         * @param pairs directions whose mean is the color, evenly spread over the step of viewing angles, such as a pupil's aperture
+         * @param pairs directions whose weighted mean is the color, over the step of viewing angles, such as a pupil's aperture
          */
         record View(
                 boolean along,

@@ -69,6 +69,22 @@ class ColorCommandTest extends CommandLineFixture {
         assertThat(number(green, "delta_e")).as("tolerance 1e-3").isBetween(1e-3, 1.0);
     }
 
+    /** The mirror's direction and orders that the end of a step cuts. */
+    @Test
+    void theMeanOverAStepIsThatOfItsParts() throws IOException {
+        JsonNode whole = surface("--patch blaze --theta-i 30 --angles -55:-25:2 --coherence-length 65um");
+        JsonNode parts = surface("--patch blaze --theta-i 30 --angles -55.9:-24.1:0.2 --coherence-length 65um");
+        for (double theta = -55; theta <= -25; theta += 2) {
+            double middle = theta;
+            double mean = IntStream.range(0, 10)
+                    .mapToDouble(i -> number(at(parts, "along", middle - 0.9 + 0.2 * i), "Y"))
+                    .average()
+                    .orElseThrow();
+            // Colors are planned to 1e-3, rules of both steps to 2e-4 of a cut order.
+            assertThat(number(at(whole, "along", theta), "Y")).as("%s", theta).isCloseTo(mean, within(3e-3 * mean));
+        }
+    }
+
     @Test
     void theMirrorDirectionIsWhiteWhateverTheConstantIndex() throws IOException {
         String grating = "--patch sinusoid --theta-i 0 --index ";

@@ -22,7 +22,7 @@ public enum FresnelFactor {
         if (of(choices) == SQUARED && !index.isConstant()) {
             throw choices.complaint(
                     MethodSettings.FRESNEL,
-                    "squared is for an index that is the same at all wavelengths; give once, or one number as index");
+                    "is for an index that is the same at all wavelengths; give once, or one number as index");
         }
     }
 
