@@ -102,8 +102,10 @@ public final class JsonOption {
         fields.put("period_low_m", sure ? period.low() : null);
         fields.put("period_high_m", sure ? period.high() : null);
         fields.put("period_probability", sure ? GratingPeriod.PROBABILITY : null);
-        fields.put("direction_deg", sure ? Math.toDegrees(period.azimuth()) : null);
-        fields.put("direction_half_width_deg", sure ? Math.toDegrees(period.azimuthHalfWidth()) : null);
+        fields.put("direction_deg", sure && period.hasDirection() ? Math.toDegrees(period.azimuth()) : null);
+        fields.put(
+                "direction_half_width_deg",
+                sure && period.hasDirection() ? Math.toDegrees(period.azimuthHalfWidth()) : null);
         fields.put("periods_in_the_scan", sure && !period.isExact() ? period.periods() : null);
         fields.put("share_of_variance", sure ? period.share() : null);
         fields.put("period_not_told", sure ? null : period.reason());

@@ -1,6 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
@@ -16,7 +17,7 @@ import sunbeam.precompute.units.Lengths;
  *
  * @param wave frequency of the wave, directed across its lines; of length 0 if there is no wave
  * @param low lower end of the 95 % interval of the period, meters; the period itself if exact
- * @param azimuthHalfWidth half width of the direction's 95 % interval, radians; 0 if exact
+ * @param azimuthHalfWidth half width of the direction's 95 % interval, radians; 0 if exact, pi/2 if the wave is that of a profile
  * @param periods number in the scan along the wave; infinite for a surface that repeats
  * @param share share of the heights' variance (without waviness) in the wave, or a lattice's waves, and overtones, 0..1
  * @param others up to two waves in other directions and one in the same, each at least half as strong
@@ -93,6 +94,16 @@ public record GratingPeriod(
         return vague(waves, periods / lines, share).within(1 / high / lines, 1 / low / lines, azimuthHalfWidth);
     }
 
+    /** Returns the period along the nearer of x and y, as in a profile: waves of any direction may be cut so. */
+    GratingPeriod ofProfile() {
+        boolean alongX = Math.abs(wave.x()) >= Math.abs(wave.y());
+        SpatialFrequency axis = alongX ? new SpatialFrequency(1, 0) : new SpatialFrequency(0, 1);
+        double slant = wave.length() / Math.abs(alongX ? wave.x() : wave.y());
+        List<SpatialFrequency> waves =
+                waves().stream().map(some -> axis.times(some.length() / slant)).toList();
+        return vague(waves, periods, share).within(1 / high / slant, 1 / low / slant, 0.5 * Math.PI);
+    }
+
     GratingPeriod withCertainty(Certainty known, String why) {
         return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, others, known, why, limit);
     }
@@ -149,6 +160,17 @@ public record GratingPeriod(
         return wave.azimuth();
     }
 
+    public boolean hasDirection() {
+        return azimuthHalfWidth < 0.5 * Math.PI;
+    }
+
+    /** Returns "along x, its direction is not known". */
+    String unknownDirection() {
+        String direction = direction(wave);
+        String along = Map.of("0 degrees", "x", "90 degrees", "y").getOrDefault(direction, direction);
+        return "along " + along + ", its direction is not known";
+    }
+
     /** Whether waves of about one length run in two or three directions. */
     boolean isLattice() {
         return !others.isEmpty()
@@ -184,9 +206,11 @@ public record GratingPeriod(
         return Stream.concat(Stream.of(wave), others.stream()).toList();
     }
 
-    /** Returns the azimuths of all waves in whole degrees, above -90 and at most 90, ascending. */
+    /** Returns the azimuths of all waves in whole degrees, above -90 and at most 90, ascending; none if they are not known. */
     public List<Long> directions() {
-        return waves().stream().map(some -> (long) degrees(some, 1)).sorted().toList();
+        return hasDirection()
+                ? waves().stream().map(some -> (long) degrees(some, 1)).sorted().toList()
+                : List.of();
     }
 
     /** Returns a note if a scan's lines run along or across its rows, as those of a vibration that is slow, or in step with the rows, do. */
@@ -207,14 +231,18 @@ public record GratingPeriod(
 
     public String describe() {
         if (!isSure()) {
-            return isSeen() ? estimate() + ", in direction " + direction(wave) : "unknown: " + reason;
+            String where = hasDirection() ? ", in direction " + direction(wave) : ", " + unknownDirection();
+            return isSeen() ? estimate() + where : "unknown: " + reason;
+        }
+        String seen = Text.format("; seen %.1f times, %.0f %% of the relevant variance", periods, 100 * share);
+        if (!hasDirection()) {
+            return interval() + ", " + unknownDirection() + seen;
         }
         // A scanner's axes are known to tenths of a degree.
         String line = interval() + Text.format(", in direction %.1f", degrees(wave, 10));
         if (isExact()) {
             return line + " degrees: the patch repeats";
         }
-        String evidence = " +- %.1f degrees; seen %.1f times, %.0f %% of the relevant variance";
-        return line + Text.format(evidence, Math.max(0.1, Math.toDegrees(azimuthHalfWidth)), periods, 100 * share);
+        return line + Text.format(" +- %.1f degrees", Math.max(0.1, Math.toDegrees(azimuthHalfWidth))) + seen;
     }
 }

@@ -70,9 +70,12 @@ record PatchPeriod(HeightMap scan, Hypothesis asked) {
         }
         OptionalDouble step = RoundedHeights.step(scan);
         if (step.isPresent()) {
-            return NOTHING.tooLittle(Text.format(
-                    "the heights come in steps of %s, as high as the relief; export the scan with more digits",
-                    Lengths.rounded(step.getAsDouble(), 2)));
+            return NOTHING.withCertainty(
+                    GratingPeriod.Certainty.TOO_LITTLE,
+                    Text.format(
+                            "too little to judge: the heights come in steps of %s, as high as the relief; export the scan with more"
+                                    + " digits",
+                            Lengths.rounded(step.getAsDouble(), 2)));
         }
         GratingPeriod piece = seen();
         double side = Math.max(scan.width(), scan.height());

@@ -130,6 +130,11 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
         waves = sharp && lattice ? refined(waves) : waves;
         GratingPeriod found = GratingPeriod.vague(waves, waves.get(0).periodsIn(scan), evidence.share());
         found = sharp ? byPhase(found, beside) : byTiles(found, sharpness >= AS_STRONG ? line : middle);
+        // A crossing wave, or the user, tells the direction.
+        boolean isProfile = found.others().stream().allMatch(other -> other.sineTo(line) < GratingPeriod.CONE)
+                && asked.azimuth().isEmpty()
+                && !PhaseSlope.hasDirection(scan, found.wave());
+        found = isProfile ? found.ofProfile() : found;
         decision = Decision.of(evidence.within(
                 0.5 * (1 / found.low() - 1 / found.high()) / found.wave().length()));
         return told(decision, evidence, ridges > 1 ? found.longer(ridges) : found);

@@ -93,6 +93,11 @@ record PhaseSlope(double value, double halfWidth) {
         return fitted(windows, first, last, step);
     }
 
+    /** Whether the scan is longer than a window along the wave's lines, so that their direction has an interval. */
+    static boolean hasDirection(HeightMap level, SpatialFrequency wave) {
+        return extent(level, wave.azimuth() + 0.5 * Math.PI) > WINDOW_PERIODS * wave.period();
+    }
+
     /** Whether a wave has its phase and amplitude in most windows along it, not in those of a defect alone. */
     static boolean isSteady(HeightMap level, SpatialFrequency wave) {
         double azimuth = Math.atan2(wave.y(), wave.x());

@@ -86,12 +86,15 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     private static String grating(GratingPeriod period) {
         String crossing = period.others().stream()
                 .map(other -> (other.sineTo(period.wave()) < SLANT ? ", overlaid" : ", crossed") + " by lines of about "
-                        + Lengths.rounded(other.period(), DIGITS) + " across " + GratingPeriod.direction(other))
+                        + Lengths.rounded(other.period(), DIGITS)
+                        + (period.hasDirection() ? " across " + GratingPeriod.direction(other) : ""))
                 .collect(Collectors.joining());
         String kind = !period.isSure()
                 ? "Probably a grating of about "
                 : period.isExact() ? "A repeated patch with a period of " : "A grating of ";
-        return kind + length(period, 1, 1, 1) + " across " + GratingPeriod.direction(period.wave()) + crossing;
+        String where =
+                period.hasDirection() ? "across " + GratingPeriod.direction(period.wave()) : period.unknownDirection();
+        return kind + length(period, 1, 1, 1) + " " + where + crossing;
     }
 
     /** "A hexagonal lattice with a constant of 0.900 um (0.898 to 0.901), its lines 0.779 um apart across -86 and 34 degrees". */

@@ -221,7 +221,8 @@ class VerdictTest {
     void roundedHeightsOfAPlaneAreNoGrating() {
         DoubleBinaryOperator plane = (x, y) -> 1.5e-3 * x + 0.5e-3 * y;
         assertThat(verdict(leveled((x, y) -> 3e-9 * Math.rint(plane.applyAsDouble(x, y) / 3e-9))))
-                .startsWith("Too little to judge: the heights come in steps of 3 nm, as high as the relief");
+                .isEqualTo(
+                        "Too little to judge: the heights come in steps of 3 nm, as high as the relief; export the scan with more digits");
         assertThat(verdict(leveled((x, y) ->
                         3e-9 * Math.rint((plane.applyAsDouble(x, y) + 0.1 * sine(x, 1.2e-6)) / 3e-9))))
                 .startsWith("A grating of ");
@@ -434,5 +435,21 @@ class VerdictTest {
         note.ifPresent(words -> assertThat(words).startsWith("lines exactly " + where + " the scan's rows"));
         Patch periodic = scan(patch.scan(), Patch.Repetition.PERIODIC);
         assertThat(GratingPeriod.of(periodic).caution(periodic)).isEmpty();
+    }
+
+    /** Half of a period wide, or a hundredth; lines turned by 60 degrees have half of the period that a profile shows. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-6, 20e-9})
+    void aStripHasNoDirection(double height) {
+        Patch strip = piece(new HeightMap(
+                128,
+                16,
+                20e-6 / 128,
+                height / 16,
+                Surfaces.of(128, 16, 20e-6 / 128, (x, y) -> sine(x, 2e-6)).heights()));
+        assertThat(verdict(strip))
+                .startsWith("A grating of 2.0")
+                .contains(" along x, its direction is not known: first-order colors");
+        assertThat(GratingPeriod.of(strip).directions()).isEmpty();
     }
 }
