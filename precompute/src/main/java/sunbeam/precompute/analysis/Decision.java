@@ -49,6 +49,8 @@ enum Decision {
     // Probability that the strongest of a few random waves has such a share, or that noise in one direction has such a
     // peak, on whose period the parts of the scan agree so well.
     private static final double FALSE_ALARMS = 0.005;
+    // Likewise of fewer than four periods, which are never sure.
+    private static final double FALSE_PROBABLE = 0.03;
     // Half widths of intervals of noise, in periods over the scan, are spread evenly up to this one.
     private static final double DISAGREEING = 1;
     // Likewise of a wave that is told: parts of the scan that differ by more have no phase in common.
@@ -87,7 +89,7 @@ enum Decision {
     private static boolean isOrder(Evidence wave) {
         // Powers of random waves are distributed exponentially: n + 1 of them, each of another number of periods.
         double chance = (wave.periods() + 1) * Math.pow(1 - wave.lines(), wave.periods());
-        boolean alone = wave.lines() >= 0.3 && chance <= FALSE_ALARMS;
+        boolean alone = wave.lines() >= 0.3 && chance <= falseAlarms(wave);
         boolean standsOut = wave.lines() >= 0.06
                 && isPeak(wave)
                 && wave.lines() * wave.prominence() >= 4
@@ -102,7 +104,11 @@ enum Decision {
         double beside = LineMeasures.BESIDE * wave.periods() / HANN_BINS;
         double ratio = wave.prominence() * Math.log(2);
         double chance = (wave.periods() + 1) * Math.pow(1 + ratio / beside, -beside);
-        return wave.prominence() >= 15 && chance * Math.min(1, wave.strays() / DISAGREEING) <= FALSE_ALARMS;
+        return wave.prominence() >= 15 && chance * Math.min(1, wave.strays() / DISAGREEING) <= falseAlarms(wave);
+    }
+
+    private static double falseAlarms(Evidence wave) {
+        return wave.periods() < 4 ? FALSE_PROBABLE : FALSE_ALARMS;
     }
 
     /** Straight lines of noise, whose contrast is higher, have few independent waves, of which one may be this strong. */
