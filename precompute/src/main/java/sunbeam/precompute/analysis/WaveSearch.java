@@ -21,14 +21,12 @@ record WaveSearch(HeightMap scan, LineMeasures measures) {
     private static final int MOST_DIRECTIONS = 3;
     // Ratio of frequencies: a sum of two waves is finer than both, but for the third direction of a hexagonal lattice.
     private static final double COARSER = 0.95;
-    // Power of a fundamental relative to the overtone's: without other evidence, and with it, a fifth in amplitude.
+    // Power of a fundamental relative to the overtone's that needs no other evidence.
     private static final double LEAST_FUNDAMENTAL = 0.25;
-    private static final double WEAK_FUNDAMENTAL = 0.04;
     private static final double SIGNIFICANT = 40;
     private static final double PROMINENT = 10;
     // Chance that a difference of uneven lines is taken for a repeated one, for each of three lines: 1 of 1000 scans.
     private static final double CHANCE = 0.0003;
-    private static final double FEWEST_OF_FAINT = 6;
     // Power: a twentieth of the amplitude. Leveling and windows leave less of a pure wave between its orders.
     private static final double FAINTEST_FUNDAMENTAL = 0.0025;
     // Power of the k-th overtone of narrow lines (a sixth of the period), times k^2, relative to the first's. Beyond
@@ -107,22 +105,18 @@ record WaveSearch(HeightMap scan, LineMeasures measures) {
                 .orElse(1);
     }
 
-    /** Whether a fundamental is there; of many periods its overtone, too, which may outshine it where one line in three differs. */
+    /** Whether a fundamental is there, or its overtone, which may outshine it where one line in three differs. */
     private boolean isFundamental(SpatialFrequency below, SpatialFrequency wave, int count) {
         List<SpatialFrequency> overtones =
                 IntStream.range(1, 2 * count).mapToObj(below::times).toList();
-        double periods = below.periodsIn(scan);
-        int lines = periods < FEWEST_OF_FAINT ? 1 : count - 1;
         return measures.which().test(below)
-                && periods >= FEWEST_PERIODS
-                && overtones.subList(0, lines).stream().anyMatch(line -> isLine(line, wave, overtones, periods));
+                && below.periodsIn(scan) >= FEWEST_PERIODS
+                && overtones.subList(0, count - 1).stream().anyMatch(line -> isLine(line, wave, overtones));
     }
 
-    private boolean isLine(
-            SpatialFrequency line, SpatialFrequency wave, List<SpatialFrequency> others, double periods) {
+    private boolean isLine(SpatialFrequency line, SpatialFrequency wave, List<SpatialFrequency> others) {
         double power = measures.top(line) / measures.top(wave);
-        boolean isFaint = power < WEAK_FUNDAMENTAL;
-        if (!isPeak(line) || power < FAINTEST_FUNDAMENTAL || (isFaint && periods < FEWEST_OF_FAINT)) {
+        if (!isPeak(line) || power < FAINTEST_FUNDAMENTAL) {
             return false;
         }
         boolean isAlias = IntStream.rangeClosed(2, HIGHEST_ALIAS)

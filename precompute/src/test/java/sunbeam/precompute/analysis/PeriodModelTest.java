@@ -66,7 +66,7 @@ class PeriodModelTest {
         int told = 0;
         for (int seed = 0; seed < 40; seed++) {
             SplittableRandom random = new SplittableRandom(seed);
-            double period = 0.9e-6 + 0.6e-6 * random.nextDouble();
+            double period = 0.9e-6 + 1.1e-6 * random.nextDouble();
             double uneven = 0.05 + 0.2 * random.nextDouble();
             double strays = random.nextBoolean() ? 0 : 0.08 * random.nextDouble();
             double[] heights = random.doubles(64, -1, 1)

@@ -104,6 +104,10 @@ class VerdictTest {
                 Arguments.of(
                         "A grating of 2\\.(39|40).* across 0 degrees, overlaid by lines of about 1\\.2 um across 0 degrees:.*",
                         piece((x, y) -> sine(x, 1.2e-6) + 0.1 * sine(x, 2.4e-6))),
+                // Such a period is seen fewer than six times.
+                Arguments.of(
+                        "A grating of 2\\.(59|60).* across 0 degrees, overlaid by lines of about 1\\.3 um across 0 degrees:.*",
+                        piece((x, y) -> sine(x, 1.3e-6) + 0.1 * sine(x, 2.6e-6))),
                 // Eleven and a half samples a period: sampling makes a wave of twice the period of the 11th overtone.
                 Arguments.of(
                         "A grating of (0\\.99|1\\.00).*\\) across 0 degrees:.*",
