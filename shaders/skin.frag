@@ -1,5 +1,10 @@
 #version 330 core
+#if LIGHT_STRIDE == 1
 #define SHADOW_TAPS 16
+#else
+#define SHADOW_TAPS 4
+#define SHADOW_PARTS LIGHT_STRIDE
+#endif
 #include "include/blend.glsl"
 #include "include/gain.glsl"
 #include "include/geometry.glsl"
@@ -10,15 +15,14 @@
 #include "method/{METHOD}.glsl"
 
 // Shading pass: radiance of a skin under a picture's lights (diffracted light, body color and reflected sky) from geometry.frag's images.
-// COLOR_LEVELS: 1 for method table_levels, whose colors are means over footprints; 0 for methods that evaluate points.
+// COLOR_LEVELS: 1 for method table_levels, whose colors are means over footprints; 0 for methods that evaluate points. LIGHT_STRIDE: 4 if each
+// of four neighboring samples has every fourth light and every fourth tap of shadows, in place of all; else 1.
 
 // Lights that are drawn: those from the first to the one before the last. Methods that evaluate points draw one light at a time.
 uniform int firstLight;
 uniform int lastLight;
 // 1 if a draw of a pixel has one of the lights, in place of all.
 uniform int lightsAreDrawn;
-// 4 if each of four neighboring samples has every fourth light, in place of all; else 1.
-uniform int lightStride;
 // Depth of geometry.frag's images, and the matrix from a position in them, in pixels, and its depth to world space.
 uniform sampler2D depths;
 uniform mat4 targetToWorld;
@@ -84,7 +88,7 @@ vec2 quantile(vec2 probability) {
     return sign(x) * sqrt(2.0 * (sqrt(t * t - logs / 0.147) - t));
 }
 
-// Importance sampling. Half of the draws aim at the slope that mirrors the first light to the viewer, where a sharp order is far brighter than
+// Importance sampling. Half of the draws aim at the slope that mirrors the light to the viewer, where a sharp order is far brighter than
 // others: their deviation is this share of the relief's.
 const float AIMED = 0.125;
 // Where that slope is too rare, more deviations from 0, draws are wider than the relief, so that rare slopes that meet other bright orders
@@ -121,13 +125,13 @@ float density(vec2 slope, float deviation) {
     return exp(-0.5 * dot(slope, slope) / (deviation * deviation)) / (deviation * deviation);
 }
 
-// A slope (xy), and its weight (z): its density over that of the draws. mirror: the slope that mirrors the first light to the viewer.
+// A slope (xy), and its weight (z): its density over that of the draws. mirror: the slope that mirrors the light to the viewer.
 vec3 slopeSample(vec2 numbers, vec2 mirror) {
     if (slopeDeviation == 0.0) {
         return vec3(0.0, 0.0, 1.0);
     }
     if (length(mirror) > RAREST * slopeDeviation) {
-        return vec3(WIDER * slopeDeviation * numbers, exp(-0.5 * (WIDER * WIDER - 1.0) * dot(numbers, numbers)));
+        return vec3(WIDER * slopeDeviation * numbers, WIDER * WIDER * exp(-0.5 * (WIDER * WIDER - 1.0) * dot(numbers, numbers)));
     }
     float narrow = AIMED * slopeDeviation;
     vec2 slope = (slopeDraw & 1) == 1 ? mirror + narrow * numbers : slopeDeviation * numbers;
@@ -170,6 +174,10 @@ void main() {
     vec3 gloss = glossXyz(frame, wr, seen.w);
     float weight = 1.0;
     float coverage = 1.0;
+    int first = firstLight;
+    int last = lastLight;
+    float parts = float(LIGHT_STRIDE);
+    int phase = LIGHT_STRIDE == 1 ? 0 : (pixel.x & 1) + 2 * (pixel.y & 1);
 #if COLOR_LEVELS == 1
     footprintCenter = vec4(0.0, 0.0, 0.0, -1.0);
     footprintAxis = vec4(0.0);
@@ -178,26 +186,20 @@ void main() {
     PixelChange above = changeTo(pixel, ivec2(0, 1), frame, wr);
     PixelChange below = changeTo(pixel, ivec2(0, -1), frame, wr);
 #else
+    if (lightsAreDrawn == 1) {
+        parts = float(last);
+        first = int(parts * drawnNumber(pixel));
+        last = first + 1;
+    }
     // Roberts's sequence (2018).
     vec2 numbers = normalNumbers(pixel, uvec2(3242174889u, 2447445414u));
-    vec3 both = max(vec3(-2.0, -2.0, 1e-3), lightTexel(firstLight, LIGHT_TOWARDS).xyz * frame + wr);
+    vec3 both = max(vec3(-2.0, -2.0, 1e-3), lightTexel(first, LIGHT_TOWARDS).xyz * frame + wr);
     vec3 slope = slopeSample(numbers, both.xy / both.z);
     weight = slope.z;
     mat3 relief = reliefFrame(slope.xy);
 #endif
     // Linear Rec. 709. The body is lit by the lights' colors, as if by daylight; only diffracted light has the illuminant's spectrum.
     vec3 sum = vec3(0.0);
-    int first = firstLight;
-    int last = lastLight;
-    float parts = float(lightStride);
-    int phase = lightStride == 1 ? 0 : (pixel.x & 1) + 2 * (pixel.y & 1);
-#if COLOR_LEVELS == 0
-    if (lightsAreDrawn == 1) {
-        parts = float(last);
-        first = int(parts * drawnNumber(pixel));
-        last = first + 1;
-    }
-#endif
     for (int group = 0; group < lightGroups; ++group) {
         vec4 lights = lightTexel(group, GROUP_LIGHTS);
         int end = min(int(lights.y), last);
@@ -206,7 +208,7 @@ void main() {
         for (bool used = begin < end; used; used = false) {
             visible = visibility(group, world, frame[2], vec2(pixel) + 0.5);
         }
-        for (int light = begin + ((phase - begin) & (lightStride - 1)); light < end; light += lightStride) {
+        for (int light = begin + ((phase - begin) & (LIGHT_STRIDE - 1)); light < end; light += LIGHT_STRIDE) {
             vec4 towards = lightTexel(light, LIGHT_TOWARDS);
             vec3 wi = towards.xyz * frame;
             vec3 diffracted = vec3(0.0);

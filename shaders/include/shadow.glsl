@@ -9,29 +9,53 @@ uniform sampler2D shadowMap;
 // Number of the sample, from 1, in a picture that is the mean of several; 0 in one without.
 uniform float shadowSample;
 
-// SHADOW_TAPS: texels of the map that are compared; a define, so that compilers unroll the loops. SHADOW_QUADS: defined by
-// shaders that call quadVisibility.
+// SHADOW_TAPS: texels of the map that are compared; a define, so that compilers unroll the loops. SHADOW_PARTS: 4 where each of four
+// neighboring samples has every fourth tap of the disc. SHADOW_QUADS: defined by shaders that call quadVisibility.
+#ifndef SHADOW_PARTS
+#define SHADOW_PARTS 1
+#endif
 
 // Depth, as a share of the map's range, by which a shaded surface lies behind the map's at least, so that a surface does not shade itself.
 const float SHADOW_BIAS = 0.002;
 // Radius of the filter, as a share of the map's side: the smallest, and the largest per penumbra, the radius per depth from occluder to
-// surface.
+// surface. Where several groups share the image their maps are half as fine.
 const float SHARPEST = 0.0016;
 const float SOFTEST = 0.4;
 // Half a texel of a small map, as a share of its side.
 const float SHADOW_EDGE = 0.0016;
 
-// Taps spread evenly over the unit disc (Vogel 1979): each is turned by the golden angle from the one before.
-const mat2 GOLDEN_TURN = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888);
+// Taps spread evenly over the unit disc (Vogel 1979): each is turned by the golden angle from the one before. Occluders are searched at every
+// SEARCH_STEP-th of a sample's own.
+const float GOLDEN_ANGLE = 2.39996323;
+const float TAP_ANGLE = GOLDEN_ANGLE * float(SHADOW_PARTS);
+const mat2 TAP_TURN = mat2(cos(TAP_ANGLE), sin(TAP_ANGLE), -sin(TAP_ANGLE), cos(TAP_ANGLE));
+const int SEARCH_STEP = SHADOW_PARTS == 1 ? 2 : 1;
+
+#if SHADOW_PARTS > 1
+// Number of a sample's first tap.
+float firstTap(vec2 pixel) {
+    vec2 odd = mod(floor(pixel), 2.0);
+    return odd.x + 2.0 * odd.y;
+}
+
+vec2 firstOnDisc(vec2 pixel) {
+    float angle = GOLDEN_ANGLE * firstTap(pixel);
+    return vec2(cos(angle), sin(angle));
+}
+#else
+float firstTap(vec2 pixel) {
+    return 0.0;
+}
+#endif
 
 #ifdef SHADOW_QUADS
 // Direction of the first tap: one of four turns for each fragment of a square of 2 x 2 (quadVisibility).
 vec2 firstOnDisc(vec2 pixel) {
     vec2 odd = mod(floor(pixel), 2.0);
-    float angle = 1.57079633 * (odd.x + 2.0 * odd.y) + 2.39996323 * shadowSample;
+    float angle = 1.57079633 * (odd.x + 2.0 * odd.y) + GOLDEN_ANGLE * shadowSample;
     return vec2(cos(angle), sin(angle));
 }
-#else
+#elif SHADOW_PARTS == 1
 // Direction of the first tap; it differs from pixel to pixel (Jimenez 2014), which hides banding.
 vec2 firstOnDisc(vec2 pixel) {
     float angle = 6.28318531 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))) + 0.61803399 * shadowSample);
@@ -63,26 +87,28 @@ float visibility(int group, vec3 world, vec3 normal, vec2 pixel) {
             break;
         }
         float depth = min(at.z, 1.0) - SHADOW_BIAS;
-        const float perCount = 1.0 / float(SHADOW_TAPS);
+        const float perCount = 1.0 / float(SHADOW_TAPS * SHADOW_PARTS);
+        float firstNumber = firstTap(pixel) + 0.5;
         vec2 first = firstOnDisc(pixel);
         float nearer = 0.0;
         float hidden = 0.0;
         vec2 direction = softest * first;
-        for (int tap = 0; tap < SHADOW_TAPS; tap += 2) {
-            vec2 off = sqrt((float(tap) + 0.5) * perCount) * direction;
+        for (int tap = 0; tap < SHADOW_TAPS; tap += SEARCH_STEP) {
+            vec2 off = sqrt((float(SHADOW_PARTS * tap) + firstNumber) * perCount) * direction;
             float above = depth - shadowDepth(at.xy + off, tile);
             hidden += above > 0.0 ? 1.0 : 0.0;
             nearer += max(above, 0.0);
-            direction = GOLDEN_TURN * (GOLDEN_TURN * direction);
+            direction = SEARCH_STEP == 1 ? TAP_TURN * direction : TAP_TURN * (TAP_TURN * direction);
         }
-        direction = clamp(tile.w * nearer / max(hidden, 1.0), SHARPEST, softest) * first;
+        float sharpest = tile.z < 1.0 ? 2.0 * SHARPEST : SHARPEST;
+        direction = clamp(tile.w * nearer / max(hidden, 1.0), sharpest, softest) * first;
         float dark = 0.0;
         for (int tap = 0; tap < SHADOW_TAPS; ++tap) {
-            vec2 off = sqrt((float(tap) + 0.5) * perCount) * direction;
+            vec2 off = sqrt((float(SHADOW_PARTS * tap) + firstNumber) * perCount) * direction;
             dark += shadowDepth(at.xy + off, tile) < depth ? 1.0 : 0.0;
-            direction = GOLDEN_TURN * direction;
+            direction = TAP_TURN * direction;
         }
-        visible = 1.0 - dark * perCount;
+        visible = 1.0 - dark / float(SHADOW_TAPS);
     }
     return visible;
 }

@@ -66,8 +66,8 @@ final class SkinSurface implements AutoCloseable {
     private final double diffractionScale;
     private final Optional<VirtualTexture> texture;
     private final Optional<ReflectanceComponent> component;
-    // Keys are whether there are many lights.
-    private final Map<Boolean, ShaderProgram> programs = new HashMap<>();
+    // Keys are defines.
+    private final Map<Map<String, String>, ShaderProgram> programs = new HashMap<>();
     // Keys are numbers of lights.
     private final Map<Integer, ShaderProgram> movingPrograms = new HashMap<>();
     private final CachedTarget movingTarget = new CachedTarget();
@@ -134,15 +134,15 @@ final class SkinSurface implements AutoCloseable {
         DrawRequest request = part.request();
         Scene scene = request.scene();
         boolean areMany = texture.isPresent() && part.lights().areMany();
-        ShaderProgram program = programs.computeIfAbsent(areMany, this::program);
+        boolean areShared = areMany && part.lights().areShared() && hasColors && request.samples() % 2 == 0;
+        ShaderProgram program =
+                programs.computeIfAbsent(defines(areMany, areShared), defines -> method.program("skin.frag", defines));
         setBlend(program, scene, part.lights());
         program.set("drawnPatch", (float)
                 SceneData.patchNumber(part.data().look(), part.data().region()));
         program.set("firstLight", firstLight);
         program.set("lastLight", lastLight);
         program.set("lightGroups", part.lights().groups().size());
-        boolean areShared = areMany && part.lights().areShared() && hasColors && request.samples() % 2 == 0;
-        program.set("lightStride", areShared ? LIGHT_STRIDE : 1);
         program.set("lightsAreDrawn", part.lights().areDrawn() ? 1 : 0);
         program.set("targetToWorld", part.geometry().blockToWorld(part.piece().block()));
         Map<String, Texture> textures = new HashMap<>(method.textures());
@@ -170,12 +170,14 @@ final class SkinSurface implements AutoCloseable {
     }
 
     /** Errors of linear interpolation along w have either sign under many lights, and cancel. */
-    private ShaderProgram program(boolean ofManyLights) {
-        Map<String, String> defines = new HashMap<>(Map.of("COLOR_LEVELS", texture.isPresent() ? "1" : "0"));
-        if (ofManyLights) {
+    private Map<String, String> defines(boolean areMany, boolean areShared) {
+        Map<String, String> defines = new HashMap<>();
+        defines.put("COLOR_LEVELS", texture.isPresent() ? "1" : "0");
+        defines.put("LIGHT_STRIDE", areShared ? LIGHT_STRIDE + "" : "1");
+        if (areMany) {
             defines.put("SLICE_TAPS", "2");
         }
-        return method.program("skin.frag", defines);
+        return defines;
     }
 
     /** Sets the uniforms of shaders/include/footprint.glsl. Fine relief widens footprints unless the table's levels include it. */
