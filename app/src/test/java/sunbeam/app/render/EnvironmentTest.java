@@ -19,6 +19,8 @@ import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneLight;
@@ -156,10 +158,11 @@ class EnvironmentTest extends InAScene {
     }
 
     /** The picture by points, of which each has one of the map's own pixels at a time, has the same mean. */
-    @Test
-    void pointsUnderTheMapsPixelsAgreeWithTheTable() {
+    @ParameterizedTest
+    @ValueSource(strings = {"overcast", "sun"})
+    void pointsUnderTheMapsPixelsAgreeWithTheTable(String environment) {
         Choices weights = Weights.of(400, 1, 0.8, 0);
-        Scene scene = under(table(weights).with(SceneSettings.ROUGHNESS, Math.toRadians(3)), "overcast", 512);
+        Scene scene = under(table(weights).with(SceneSettings.ROUGHNESS, Math.toRadians(3)), environment, 512);
         Scene points = scene.withMethod(new SceneMethod(Choices.none().with(METHOD, FullMethod.TYPE)));
         double table = Arrays.stream(luminances(drawn(scene, 16, 16))).average().orElseThrow();
         double drawn =

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.PriorityQueue;
-import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
@@ -21,7 +20,6 @@ public final class LightTree {
     /** Most regions. */
     public static final int MOST = 2048;
 
-    private static final long SEED = 67;
     // Halvings of the octahedral map along either axis; a pixel of the largest map is wider.
     private static final int BITS = 14;
 
@@ -227,34 +225,38 @@ public final class LightTree {
         return all;
     }
 
-    /** Returns one pixel of the map for each region of {@link #MOST}, drawn by luminance, with the region's light. */
+    /**
+     * Returns pixels of the map as {@link #MOST} lights of equal luminance, at equal steps through the luminance of all: a pixel as bright as
+     * several steps is several lights.
+     */
     public List<Group> pixels(int groups) {
-        SplittableRandom random = new SplittableRandom(SEED);
+        double step =
+                IntStream.of(pixels).mapToDouble(pixel -> luminances[pixel]).sum() / MOST;
         List<Group> all = new ArrayList<>();
+        // Luminance up to the next light.
+        double[] left = {step / 2};
         visit(root, groups, group -> {
             List<RegionLight> lights = new ArrayList<>();
-            visit(group, MOST, region -> {
-                int at = 3 * drawn(region, random);
-                Vector3f towards = new Vector3f(directions[at], directions[at + 1], directions[at + 2]);
-                lights.add(new RegionLight(towards, region.light.color(), 0, new Vector3f()));
-            });
+            for (int i = group.first; i < group.end; i++) {
+                for (left[0] -= luminances[pixels[i]]; left[0] < 0; left[0] += step) {
+                    lights.add(pixelLight(pixels[i], step));
+                }
+            }
             all.add(new Group(lights, group.light.deviation()));
         });
         return all;
     }
 
-    private int drawn(Region region, SplittableRandom random) {
-        double sum = 0;
-        for (int i = region.first; i < region.end; i++) {
-            sum += luminances[pixels[i]];
+    /** Returns a light in a pixel's direction, with its color and a luminance. */
+    private RegionLight pixelLight(int pixel, double luminance) {
+        int row = pixel / map.width();
+        double scale = luminance / (map.luminance(row, pixel % map.width()) * Math.PI);
+        Vector3f color = new Vector3f();
+        for (int c = 0; c < 3; c++) {
+            color.setComponent(c, (float) (scale * map.value(row, pixel % map.width(), c)));
         }
-        double left = sum * random.nextDouble();
-        int at = region.first;
-        for (left -= luminances[pixels[at]]; left > 0 && at < region.end - 1; ) {
-            at++;
-            left -= luminances[pixels[at]];
-        }
-        return pixels[at];
+        Vector3f towards = new Vector3f(directions[3 * pixel], directions[3 * pixel + 1], directions[3 * pixel + 2]);
+        return new RegionLight(towards, color, 0, new Vector3f());
     }
 
     private static void visit(Region region, int count, Consumer<Region> each) {
