@@ -224,14 +224,15 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         }
     }
 
-    /** Such as "8 of 512 lights": of an environment's lights a moving picture has few. */
-    private String lights(ViewState state) {
+    /** Such as "8 of 512 lights": previews have some of an environment's lights. */
+    private String lights(ViewState state, OptionalInt drawn) {
         if (!state.firstPart().scene().hasEnvironment()) {
             return "";
         }
         OptionalInt all =
                 completed == null ? OptionalInt.empty() : completed.picture().lights();
-        return " · " + SceneSession.MOVING_LIGHTS + (all.isPresent() ? " of " + all.getAsInt() : "") + " lights";
+        return " · " + drawn.orElse(SceneSession.MOVING_LIGHTS) + (all.isPresent() ? " of " + all.getAsInt() : "")
+                + " lights";
     }
 
     @Override
@@ -246,7 +247,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             window.controls.exposureInUse(preview.exposure());
         }
         viewer.journal.reached(preview.hasColors() ? "first picture" : "body");
-        window.status.preview(preview.divisor(), isNew, lights(state));
+        window.status.preview(preview.divisor(), isNew, lights(state, preview.lights()));
         map.request(false);
         // Runs after Swing has painted the picture.
         SwingUtilities.invokeLater(() -> measurement.ifPresent(measured -> measured.shown(state, preview.divisor())));

@@ -78,7 +78,7 @@ public final class StatusLine extends JPanel {
      */
     void preview(double divisor, boolean moves, String lights) {
         if (!moves) {
-            report("Preview" + scale(divisor));
+            report("Preview" + scale(divisor) + lights);
             return;
         }
         long now = System.nanoTime();

@@ -31,6 +31,8 @@ public final class GraphicsStage implements Stage {
     private static final long MOVING_NANOSECONDS = 400_000_000;
     // Sample stride, in pixels, of the last coarse picture before the final one.
     private static final int FINEST_STRIDE = 4;
+    // Factor by which each preview of a still scene has more lights of an environment than the one before.
+    private static final int MORE_LIGHTS = 4;
     // Sample stride of the comparison's first picture. Nothing moves then, and a newer state interrupts it.
     private static final int COMPARISON_STRIDE = 8;
 
@@ -46,6 +48,8 @@ public final class GraphicsStage implements Stage {
     private final StageSessions other = new StageSessions(context);
     private StageSessions current = own;
     private int stride;
+    // Lights of an environment in the last preview.
+    private int lights;
     private ViewState state;
     private boolean isMoving;
 
@@ -128,6 +132,7 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public Optional<Preview> moving(BooleanSupplier interrupted) {
+        lights = SceneSession.MOVING_LIGHTS;
         if (isByTable()) {
             long start = current.pixelClock();
             Preview preview = byTable(current.scale.divisor());
@@ -164,7 +169,7 @@ public final class GraphicsStage implements Stage {
         }
         double exposure = exposureSoFar();
         BufferedImage image = current.parts.get(0).moving(state.width(), state.height(), divisor, exposure);
-        return new Preview(image, divisor, hasCoarsest(), exposure, 0);
+        return new Preview(image, divisor, hasCoarsest(), exposure, 0, OptionalInt.empty());
     }
 
     /** Meters the scene unless its exposure is known; returns false if interrupted. */
@@ -183,11 +188,37 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public Optional<Preview> finer(BooleanSupplier interrupted) {
-        if (isByTable() || !meter(interrupted) || stride / 2 < FINEST_STRIDE) {
+        if (isByTable()) {
+            return underMoreLights(interrupted);
+        }
+        if (!meter(interrupted) || stride / 2 < FINEST_STRIDE) {
             return Optional.empty();
         }
         stride /= 2;
         return coarse(interrupted);
+    }
+
+    /** Draws one sample a pixel under more lights of an environment than before; empty if only the final picture has more, or if interrupted. */
+    private Optional<Preview> underMoreLights(BooleanSupplier interrupted) {
+        OptionalInt all = meter(interrupted) ? lights(counted(interrupted)) : OptionalInt.empty();
+        lights *= MORE_LIGHTS;
+        if (all.isEmpty() || lights >= all.getAsInt()) {
+            return Optional.empty();
+        }
+        Scene few = scene().with(SceneSettings.ENVIRONMENT_LIGHTS, OptionalInt.of(lights));
+        return whole(few, PixelSamples.uniform(1), interrupted, (tile, part, share) -> {})
+                .map(image -> new Preview(image, 1, true, exposureSoFar(), 0, OptionalInt.of(lights)));
+    }
+
+    /** Returns the scene with its number of lights, which is counted once for all its views. */
+    private Scene counted(BooleanSupplier interrupted) {
+        if (countedFor == null
+                || !SceneSharing.sharesParts(countedFor, scene())
+                || !countedFor.exposureInputs().equals(scene().exposureInputs())) {
+            count = LightCount.of(current.sum(), scene(), state.width(), state.height(), interrupted);
+            countedFor = interrupted.getAsBoolean() ? null : scene();
+        }
+        return count.map(found -> found.in(scene())).orElse(scene());
     }
 
     /** Draws the body in full resolution and the diffracted light from one sample per {@link #stride} columns and rows. */
@@ -202,7 +233,7 @@ public final class GraphicsStage implements Stage {
                     double side = samples().side();
                     double seconds = side * side * state.width() * state.height() * current.tiles.secondsPerPixel();
                     BufferedImage image = PixelPicture.image(picture, scene().display(exposure), scene().background());
-                    return new Preview(image, stride, true, exposure, seconds);
+                    return new Preview(image, stride, true, exposure, seconds, OptionalInt.empty());
                 });
     }
 
@@ -211,30 +242,27 @@ public final class GraphicsStage implements Stage {
         if (!meter(interrupted)) {
             return Optional.empty();
         }
+        Scene counted = counted(interrupted);
+        return whole(counted, samples(), interrupted, drawn)
+                .map(image -> new Final(image, exposureSoFar(), lights(counted)));
+    }
+
+    /** Draws all tiles; empty if interrupted. */
+    private Optional<BufferedImage> whole(
+            Scene scene, PixelSamples samples, BooleanSupplier interrupted, PartListener drawn) {
         int width = state.width();
         int height = state.height();
-        if (countedFor == null
-                || !SceneSharing.sharesParts(countedFor, scene())
-                || !countedFor.exposureInputs().equals(scene().exposureInputs())) {
-            count = LightCount.of(current.sum(), scene(), width, height, interrupted);
-            countedFor = interrupted.getAsBoolean() ? null : scene();
-        }
-        Scene counted = count.map(found -> found.in(scene())).orElse(scene());
-        if (interrupted.getAsBoolean()) {
-            return Optional.empty();
-        }
-        PixelSamples samples = samples();
         double exposure = exposureSoFar();
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();
         boolean isWhole = current.tiles.draw(SceneSession.tiles(width, height, samples.side()), interrupted, tile -> {
             BufferedImage part = current.sum()
-                    .draw(counted, width, height, tile, samples, exposure)
+                    .draw(scene, width, height, tile, samples, exposure)
                     .image();
             whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
             drawn.drawn(tile, part, (double) done.addAndGet(tile.pixels()) / ((double) width * height));
         });
-        return isWhole ? Optional.of(new Final(whole, exposure, lights(counted))) : Optional.empty();
+        return isWhole ? Optional.of(whole) : Optional.empty();
     }
 
     private static OptionalInt lights(Scene scene) {

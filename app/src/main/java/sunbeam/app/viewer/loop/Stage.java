@@ -32,8 +32,15 @@ public interface Stage extends AutoCloseable {
      * @param hasColors true if the picture shows diffracted light, not only the body
      * @param exposure factor by which XYZ was multiplied for display
      * @param secondsToFinal estimated time of the final picture; 0 if unknown
+     * @param lights number of an environment's lights in a still scene; empty while it moves, and for a scene with lights of its own
      */
-    record Preview(BufferedImage image, double divisor, boolean hasColors, double exposure, double secondsToFinal) {}
+    record Preview(
+            BufferedImage image,
+            double divisor,
+            boolean hasColors,
+            double exposure,
+            double secondsToFinal,
+            OptionalInt lights) {}
 
     /**
      * Final picture, equal to the picture of {@code render}.
@@ -67,7 +74,7 @@ public interface Stage extends AutoCloseable {
     /** Draws full resolution from the resident tiles; empty without color table and until the coarsest level is resident. */
     Optional<Preview> byTiles();
 
-    /** Draws the next finer preview of a method without tables; empty if only the final picture is finer, or if interrupted. */
+    /** Draws the next finer preview of a method without tables, or one under more lights of an environment; empty if only the final picture is finer, or if interrupted. */
     Optional<Preview> finer(BooleanSupplier interrupted);
 
     /** Resident share of the coarsest mip level; 1 for methods without tables. */

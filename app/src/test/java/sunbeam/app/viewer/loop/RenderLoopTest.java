@@ -209,7 +209,7 @@ final class RenderLoopTest {
         private Optional<Preview> preview() {
             mayFail();
             meanwhile();
-            return Optional.of(new Preview(image(), 1, true, 1, 0));
+            return Optional.of(new Preview(image(), 1, true, 1, 0, OptionalInt.empty()));
         }
 
         private BufferedImage image() {
