@@ -1,6 +1,7 @@
 package sunbeam.app.cli;
 
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -18,8 +19,8 @@ final class LargeMap {
     /** Side in pixels from which a table is faster than interpolation of spectra; sums over single orders are faster still. */
     static final int LEAST_SIDE = 1024;
 
-    /** A table that misses the tolerance, which method full may keep. */
-    static final class TableMissed extends RuntimeException {
+    /** A table misses the tolerance, which method full may keep: its map is not drawn. */
+    static final class TableMissed extends CancellationException {
         private static final long serialVersionUID = 1;
     }
 

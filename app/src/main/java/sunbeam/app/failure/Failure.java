@@ -1,6 +1,7 @@
 package sunbeam.app.failure;
 
 import java.util.Map;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import jrtr.GraphicsException;
@@ -30,6 +31,7 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             Map.entry(OutputException.class, ExitCode.CANNOT_WRITE),
             Map.entry(OutputException.Exists.class, ExitCode.OUTPUT_EXISTS),
             Map.entry(CancelledException.class, ExitCode.INTERRUPTED),
+            Map.entry(CancellationException.class, ExitCode.INTERRUPTED),
             Map.entry(InterruptedException.class, ExitCode.INTERRUPTED));
 
     public static Failure of(Throwable thrown) {

@@ -71,15 +71,16 @@ public final class BuiltInMeshes {
     private static Mesh disc(int columns) {
         Mesh.Builder disc = new Mesh.Builder();
         disc.grid(columns, 16, 0, 0.9, round(v -> ring(0.059, 0.023, 1.2e-3, v / 0.9)));
-        disc.grid(columns, 16, 0.9, 0.95, round(v -> ring(0.0177, 0.0167, 5e-4, (v - 0.9) / 0.05)));
-        disc.grid(columns, 16, 0.95, 1, round(v -> ring(0.0081, 0.0075, 3e-4, (v - 0.95) / 0.05)));
+        disc.grid(columns, 8, 0.9, 0.95, round(v -> ring(0.0177, 0.0167, 5e-4, (v - 0.9) / 0.05)));
+        disc.grid(columns, 8, 0.95, 1, round(v -> ring(0.0081, 0.0075, 3e-4, (v - 0.95) / 0.05)));
         return disc.build(false);
     }
 
     /** Upper side of a flat ring with round edges, from its outer (v = 0) to its inner radius (v = 1). */
     private static Profile ring(double outer, double inner, double edge, double v) {
-        // Each edge takes a quarter of v, the flat side the rest.
-        double flat = Math.min(1, Math.max(0, 2 * v - 0.5));
+        // Each edge takes a quarter of v, the flat side the rest; without one, the edges take all.
+        boolean isFlat = outer - inner > 2.001 * edge;
+        double flat = isFlat ? Math.min(1, Math.max(0, 2 * v - 0.5)) : v;
         double turn = Math.PI * (0.5 - 2 * (v - flat / 2));
         double outward = Math.sin(turn);
         double upward = Math.cos(turn);

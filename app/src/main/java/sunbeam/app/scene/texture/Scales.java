@@ -8,7 +8,8 @@ public enum Scales {
     /** A rat snake's: narrower, keeled on the back. */
     KEELED(21, 0.03);
 
-    // Of the snake's body (SnakeBody), whose scales are as long as they are broad in the middle as at the tail.
+    // Along a unit of u, for each row: scales of the snake's body (SnakeBody) keep their shape from its middle to its
+    // tail.
     private static final double PER_UNIT_AND_ROW = 15.3;
 
     private final int rows;
