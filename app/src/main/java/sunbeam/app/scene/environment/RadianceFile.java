@@ -14,7 +14,7 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Reader of Radiance's pictures of all directions (.hdr; G. Ward, "Real Pixels", Graphics Gems II, 1991). A large file is averaged over
- * squares of pixels, row by row. So it takes no more memory than a small one, and the light of each pixel counts.
+ * squares of pixels, row by row. So it takes as little memory as a small one, and the light of each pixel counts.
  */
 final class RadianceFile {
     /** Width of the largest file. */
