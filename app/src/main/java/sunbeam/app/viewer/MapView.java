@@ -36,7 +36,7 @@ public final class MapView extends JComponent {
     private boolean isCoarse;
 
     public MapView() {
-        setMinimumSize(new Dimension(100, 100 + CAPTION));
+        setMinimumSize(new Dimension(60, 60 + CAPTION));
         setPreferredSize(new Dimension(240, 196 + CAPTION));
         setMaximumSize(new Dimension(Short.MAX_VALUE, 280 + CAPTION));
         setAlignmentX(LEFT_ALIGNMENT);

@@ -73,15 +73,23 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     private void assertTheNumbersFitAWindowThatIsJustOpened() throws Exception {
+        // The panel is whole: its last line comes with the spectrum.
+        awaitOnEvents(() -> viewer.window.pick.numbers().contains("diffracted XYZ"));
         onEvents(() -> {
             viewer.presenter.toggle(Overlay.MAP);
             viewer.window.setSize(1180, 880);
+            viewer.window.validate();
+            // Texts wrap at their new width.
+            viewer.window.pick.revalidate();
             viewer.window.validate();
             assertThat(viewer.window.map.isVisible()).isTrue();
             JComponent panel = viewer.window.pick;
             assertThat(panel.getVisibleRect().getSize())
                     .as("what is seen without scrolling")
                     .isEqualTo(panel.getSize());
+            assertThat(panel.getHeight())
+                    .as("nothing is squeezed")
+                    .isGreaterThanOrEqualTo(panel.getMinimumSize().height);
             viewer.window.setSize(620, 420);
             viewer.presenter.toggle(Overlay.MAP);
         });
