@@ -34,7 +34,11 @@ uniform float usableLevels;
 // Variance of each light's directions along either axis.
 uniform float lightVariances[LIGHTS];
 
+// Color in sRGB; alpha is 1 less the coarsest stand-in, in steps of 255.
 layout(location = 0) out vec4 color;
+
+// Level of a stand-in for a finer one of which a tile is not resident; 0 for none.
+float standIn = 0.0;
 
 vec3 worldAt(vec2 place) {
     vec4 at = targetToWorld * vec4(place, textureLod(depths, place * perPicture, 0.0).r, 1.0);
@@ -51,6 +55,7 @@ vec3 residentXyz(Footprint footprint) {
     for (float level = footprint.level; level < usableLevels; level += 1.0) {
         vec3 xyz = levelXyz(footprint, level);
         if (xyz.y != MISSING) {
+            standIn = max(standIn, level > footprint.level ? level : 0.0);
             return xyz;
         }
     }
@@ -89,5 +94,5 @@ void main() {
         xyz += visible * lightGloss(wi, wr, skin.sky) * (LINEAR_SRGB_TO_XYZ * vec3(1.0));
         sum += LINEAR_SRGB_TO_XYZ * (lightRadiances[light] * (XYZ_TO_LINEAR_SRGB * xyz));
     }
-    color = vec4(srgbCurveByRoots(displayLight(sum)), 1.0);
+    color = vec4(srgbCurveByRoots(displayLight(sum)), 1.0 - standIn / 255.0);
 }

@@ -286,16 +286,33 @@ public final class SceneSession implements AutoCloseable {
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         // Direct writes end Swing's acceleration, from which an image that is painted once gains nothing.
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
-        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
+        int standIn = drawMoving(scene, geometry, list, lights, picture, exposure);
+        // The whole picture reads the level that stands in somewhere, so that no tile has an edge.
+        while (standIn > 0) {
+            virtualTexture().orElseThrow().coarsen(standIn);
+            standIn = drawMoving(scene, geometry, list, lights, picture, exposure);
+        }
+        return image;
+    }
+
+    /** Draws all blocks; returns the coarsest level that stands in for a finer one of which tiles are missing, 0 for none. */
+    private int drawMoving(
+            Scene scene, SkinGeometry geometry, LightList list, LightTexture lights, int[] picture, double exposure) {
+        int width = geometry.width();
+        int standIn = 0;
+        for (SceneBlocks.Piece piece : SceneBlocks.split(width, geometry.height())) {
             GeometryBuffer buffer = drawn(Layout.MOVING, geometry, piece.block());
             int[] part = skin.drawMoving(
                     scene, uploaded.ground(scene), geometry, list, lights, buffer, piece.block(), exposure);
+            for (int pixel : part) {
+                standIn = Math.max(standIn, 255 - (pixel >>> 24));
+            }
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
             }
         }
-        return image;
+        return standIn;
     }
 
     /** The patch's x axis, 3 values per pixel in world space, top row first; zeros without skin. */

@@ -194,7 +194,7 @@ final class SkinSurface implements AutoCloseable {
      * Draws a block of a moving picture in sRGB (shaders/moving.frag): few taps per pixel in resident tiles.
      *
      * @param buffer geometry in {@link GeometryBuffer.Layout#MOVING}
-     * @return pixels as 0xffRRGGBB, top row first
+     * @return pixels as 0xRRGGBB, top row first; the highest byte is 255 less the level that stands in for a finer one, if a tile is missing
      */
     int[] drawMoving(
             Scene scene,
@@ -222,7 +222,7 @@ final class SkinSurface implements AutoCloseable {
                 .orElse(0));
         texture.ifPresent(tiles -> {
             setFootprints(moving, tiles.table(), scene);
-            moving.set("leastLevel", 0f);
+            moving.set("leastLevel", (float) tiles.leastLevel());
             moving.set("mostTaps", (float) taps);
             moving.set("levelRounding", 0f);
             moving.set("samplesAcross", 1f);

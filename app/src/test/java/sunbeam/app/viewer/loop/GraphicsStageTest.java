@@ -78,6 +78,34 @@ class GraphicsStageTest {
 
     @Test
     @NeedsDisplay
+    void noTileHasAnEdgeInAPreviewBecauseAllOfALevelIsReadOrNothing() throws InterruptedException {
+        try (GraphicsStage stage = new GraphicsStage()) {
+            LoadedScene loaded = updateToCoarsest(stage);
+            int[] coarse = pixels(stage.byTiles().orElseThrow());
+            Scene scene = loaded.firstPart().scene();
+            show(stage, loaded.with(scene.withLight(scene.light().pointing(new Vector3f(0.5f, -0.4f, -0.42f)))));
+            assertThat(stage.request(() -> false)).isTrue();
+            await(stage, () -> stage.requestedShare() == 1);
+            show(stage, loaded);
+            assertThat(stage.request(() -> false)).isTrue();
+            assertThat(stage.requestedShare()).isBetween(0.01, 0.99);
+            int[] partly = pixels(stage.byTiles().orElseThrow());
+            stage.prefetch();
+            await(stage, () -> !Arrays.equals(coarse, pixels(stage.byTiles().orElseThrow())));
+            assertThat(partly).isEqualTo(coarse);
+        }
+    }
+
+    private static void show(GraphicsStage stage, LoadedScene loaded) {
+        stage.update(new ViewState(loaded, 0, WIDTH, HEIGHT, false), () -> {});
+    }
+
+    private static int[] pixels(Stage.Preview preview) {
+        return preview.image().getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH);
+    }
+
+    @Test
+    @NeedsDisplay
     void aPreviewOfTheMapIsNotDrawnAgainForTheSameLightNorForAnotherPatch() throws InterruptedException {
         List<Integer> drawn = new ArrayList<>();
         try (GraphicsStage stage = new GraphicsStage()) {
@@ -178,7 +206,7 @@ class GraphicsStageTest {
                         .with(Methods.METHOD, TableMethod.TYPE)
                         .with(SceneSettings.ROUGHNESS, Math.toRadians(2)));
         LoadedScene loaded = new LoadedScene(InAScene.parts(scene, folder));
-        stage.update(new ViewState(loaded, 0, WIDTH, HEIGHT, false), () -> {});
+        show(stage, loaded);
         await(stage, () -> stage.coarsestShare() == 1);
         return loaded;
     }
