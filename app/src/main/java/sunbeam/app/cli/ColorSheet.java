@@ -35,6 +35,8 @@ final class ColorSheet {
     private static final int LABELS = 52;
     // Height of a plot relative to its width.
     private static final double RATIO = 1.02;
+    // The same of spectra below another plot: the page of one surface fits a column of print, 225 mm high.
+    private static final double LOW_RATIO = 0.7;
     /** Largest width of a surface's name, pixels: some 32 letters. */
     private static final int WIDEST_NAME = 500;
     // Sine of the largest azimuth between the light and a strip's plane at which the light is marked in the strip.
@@ -282,7 +284,8 @@ final class ColorSheet {
     private Drawing spectra() {
         String title = "Radiance" + ofOne(ColorSheet::place);
         String radiance = "share of the maximum";
-        Plot plot = Plot.linear(title, "wavelength / nm", radiance, plotWidth(), (int) (RATIO * plotWidth()));
+        double ratio = panel.isEmpty() && plotWidth() == width ? LOW_RATIO : RATIO;
+        Plot plot = Plot.linear(title, "wavelength / nm", radiance, plotWidth(), (int) (ratio * plotWidth()));
         plot.fromZero();
         for (int i = 0; i < reports.size(); i++) {
             ColorReport.Spectrum spectrum = reports.get(i).spectrum();
