@@ -131,7 +131,7 @@ public record WebScene(Map<String, Object> fields, byte[] columns, Map<String, B
         fields.put("skySteps", SKY_STEPS);
         fields.put("uniforms", uniforms(data, thing, lights));
         Map<String, BodyTexture> textures = Map.of(
-                "bodyTexture", thing.body().colors().opaque(),
+                "bodyTexture", thing.body().colors(),
                 "skinRelief", thing.body().relief(),
                 "patchDirections", thing.body().directions());
         return new WebScene(fields, columns.toBytes(), textures);

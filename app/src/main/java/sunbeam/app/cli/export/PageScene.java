@@ -39,6 +39,7 @@ record PageScene(Patch patch, double exposure, Map<String, Object> fields, Strin
     private static final int LARGEST_SIDE = 4096;
     // Larger pictures are JPEG.
     private static final int LARGEST_PNG = 300_000;
+    private static final int[] OPAQUE = {0, 1, 2};
     private static final int WIDTH = 640;
     private static final int HEIGHT = 480;
 
@@ -91,28 +92,41 @@ record PageScene(Patch patch, double exposure, Map<String, Object> fields, Strin
         return "<script type=\"text/plain\" id=\"mesh\">" + mesh + "</script>\n"
                 + new TreeMap<>(scene.textures())
                         .entrySet().stream()
-                                .map(texture -> "<script type=\"text/plain\" id=\"" + texture.getKey() + "\">"
-                                        + address(texture.getValue()) + "</script>\n")
+                                .map(texture -> element(texture.getKey(), texture.getValue()))
                                 .collect(Collectors.joining());
     }
 
-    private static String address(BodyTexture texture) {
+    /** Returns an element with a texture: as PNG if that is small or alpha has values between, else as JPEG and, for alpha, a mask. */
+    static String element(String id, BodyTexture texture) {
         boolean isOpaque = true;
+        boolean isBinary = true;
         for (int i = 3; i < texture.rgba().length; i += 4) {
             isOpaque &= texture.rgba()[i] == -1;
+            isBinary &= texture.rgba()[i] == -1 || texture.rgba()[i] == 0;
         }
-        int type = isOpaque ? BufferedImage.TYPE_3BYTE_BGR : BufferedImage.TYPE_4BYTE_ABGR;
+        int[] all = {0, 1, 2, 3};
+        String whole = address(image(texture, isOpaque ? OPAQUE : all), "png");
+        boolean isMasked = isBinary && whole.length() > LARGEST_PNG;
+        String mask =
+                isMasked && !isOpaque ? "data-mask=\"" + address(image(texture, new int[] {3}), "png") + "\" " : "";
+        return "<script type=\"text/plain\" " + mask + "id=\"" + id + "\">"
+                + (isMasked ? address(image(texture, OPAQUE), "jpeg") : whole) + "</script>\n";
+    }
+
+    /** Returns some channels of a texture: one, three or four. */
+    private static BufferedImage image(BodyTexture texture, int[] channels) {
+        int type = Map.of(
+                        1, BufferedImage.TYPE_BYTE_GRAY,
+                        3, BufferedImage.TYPE_3BYTE_BGR,
+                        4, BufferedImage.TYPE_4BYTE_ABGR)
+                .get(channels.length);
         BufferedImage image = new BufferedImage(texture.width(), texture.height(), type);
         byte[] bytes = ((DataBufferByte) image.getRaster().getDataBuffer()).getData();
-        int channels = isOpaque ? 3 : 4;
-        for (int i = 0; i < texture.width() * texture.height(); i++) {
-            for (int c = 0; c < channels; c++) {
-                bytes[channels * i + channels - 1 - c] = texture.rgba()[4 * i + c];
-            }
+        for (int i = 0; i < bytes.length; i++) {
+            int channel = channels[channels.length - 1 - i % channels.length];
+            bytes[i] = texture.rgba()[4 * (i / channels.length) + channel];
         }
-        BufferedImage fitting = fitting(image);
-        String png = address(fitting, "png");
-        return isOpaque && png.length() > LARGEST_PNG ? address(fitting, "jpeg") : png;
+        return fitting(image);
     }
 
     private static BufferedImage fitting(BufferedImage image) {

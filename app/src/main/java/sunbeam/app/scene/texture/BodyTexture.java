@@ -84,13 +84,6 @@ public record BodyTexture(int width, int height, byte[] rgba) {
         return new BodyTexture(1, 1, new byte[] {(byte) red, (byte) green, (byte) blue, (byte) alpha});
     }
 
-    public BodyTexture opaque() {
-        return new BodyTexture(
-                width,
-                height,
-                opaque(width, IntStream.range(0, height), height, (column, row) -> color(row * width + column)));
-    }
-
     /** Returns opaque texels of colors 0xRRGGBB by column and row. */
     static byte[] opaque(int width, IntStream rows, int height, IntBinaryOperator rgb) {
         byte[] rgba = new byte[4 * width * height];
