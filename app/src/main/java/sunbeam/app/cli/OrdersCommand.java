@@ -49,6 +49,8 @@ public final class OrdersCommand extends FileCommand {
     private static final double LARGEST_THETA = 89.9;
     // Height of a plot relative to its width.
     private static final double RATIO = 0.6;
+    // Least height, pixels: the legend of a narrow plot has more lines.
+    private static final int LOWEST = 800;
     private static final int MOST_PLOTS = 12;
     // Excess of light over a mirror's, relative to it, that rounding does not make.
     private static final double ROUNDING = 1e-6;
@@ -217,8 +219,8 @@ public final class OrdersCommand extends FileCommand {
 
     private Drawing plot(
             String title, String axis, ToDoubleFunction<OrderLight> x, List<OrderLight> lights, List<Series> orders) {
-        Plot plot = Plot.linear(
-                        title, axis, "share of the incident light", page.pixels(), (int) (RATIO * page.pixels()))
+        int height = (int) Math.max(LOWEST, RATIO * page.pixels());
+        Plot plot = Plot.linear(title, axis, "share of the incident light", page.pixels(), height)
                 .fromZero();
         for (Series series : OrderTable.shown(orders)) {
             plot.line(

@@ -58,7 +58,8 @@ final class PaperTest extends CommandLineFixture {
                         .mapToDouble(TextPosition::getYScale)
                         .min()
                         .orElseThrow();
-                return new Page(page.getMediaBox().getWidth(), page.getMediaBox().getHeight(), words, smallest);
+                return new Page(
+                        page.getMediaBox().getWidth(), page.getMediaBox().getHeight(), words, smallest);
             }
         }
     }
