@@ -147,6 +147,8 @@ public final class RenderContext implements AutoCloseable {
         set(gl, GL3.GL_DEPTH_TEST, test != DepthTest.NONE);
         gl.glDepthFunc(test == DepthTest.COVERED ? GL3.GL_GREATER : GL3.GL_LESS);
         gl.glDepthMask(test == DepthTest.NEARER);
+        // Shapes in front of the near plane stay visible.
+        set(gl, GL3.GL_DEPTH_CLAMP, test == DepthTest.NEARER);
         return gl;
     }
 

@@ -15,41 +15,28 @@ public final class GraphSceneManager implements SceneManagerInterface {
     private final List<RenderItem> items = new ArrayList<>();
     private final List<Light> lights = new ArrayList<>();
     private final List<Camera> cameras = new ArrayList<>();
-    private final Optional<BoundingSphere> bounds;
 
     /** Throws {@link IllegalArgumentException} if the graph has several cameras. */
     public GraphSceneManager(Node root) {
-        bounds = walk(root, new Matrix4f());
+        walk(root, new Matrix4f());
         if (cameras.size() > 1) {
             throw new IllegalArgumentException(
                     "the scene graph has " + cameras.size() + " cameras; a picture needs one");
         }
     }
 
-    /** Collects the leaves below a node, and returns the sphere around its shapes in the space of the node's parent. */
-    private Optional<BoundingSphere> walk(Node node, Matrix4fc toWorld) {
+    private void walk(Node node, Matrix4fc toWorld) {
         if (node instanceof TransformGroup group) {
-            return walk(group, toWorld.mul(group.transform(), new Matrix4f()));
+            Matrix4fc inner = toWorld.mul(group.transform(), new Matrix4f());
+            groups.put(group, inner);
+            group.children().forEach(child -> walk(child, inner));
         } else if (node instanceof Shape shape) {
             items.add(new RenderItem(shape, toWorld));
-            return Optional.of(shape.mesh().bounds());
         } else if (node instanceof Light light) {
             lights.add(light.transformed(toWorld));
         } else if (node instanceof Camera camera) {
             cameras.add(camera.transformed(toWorld));
         }
-        return Optional.empty();
-    }
-
-    private Optional<BoundingSphere> walk(TransformGroup group, Matrix4fc toWorld) {
-        groups.put(group, toWorld);
-        Optional<BoundingSphere> sphere = Optional.empty();
-        for (Node child : group.children()) {
-            Optional<BoundingSphere> next = walk(child, toWorld);
-            Optional<BoundingSphere> before = sphere;
-            sphere = next.isPresent() && before.isPresent() ? next.map(before.get()::with) : before.or(() -> next);
-        }
-        return sphere.map(inner -> inner.transformed(group.transform()));
     }
 
     /** Returns the matrix from the space of a group's children to world space; the last one for a group at several places. */
@@ -78,6 +65,6 @@ public final class GraphSceneManager implements SceneManagerInterface {
 
     @Override
     public Optional<BoundingSphere> bounds() {
-        return bounds;
+        return items.stream().map(RenderItem::bounds).reduce(BoundingSphere::with);
     }
 }

@@ -159,7 +159,7 @@ final class Ground implements AutoCloseable {
         to.set("ambientWeight", (float) scene.ambient());
         to.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());
         Vector3f ambient = new Vector3f();
-        lights.all().forEach(light -> ambient.add(light.color()));
+        lights.all().forEach(light -> ambient.add(light.radiance()));
         to.set("groundAmbient", ambient);
         float[] direct = new float[3 * LightList.MOST_GROUPS];
         for (int i = 0; i < lights.groups().size(); i++) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import jrtr.scene.Light;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -46,25 +47,6 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
     private static final double SCENE_PENUMBRA = 0.05;
 
     /**
-     * @param towards unit vector from the scene, world space
-     * @param color radiance of a white surface that faces the light, linear Rec. 709
-     * @param deviation standard deviation of its directions along the shorter axis across it, radians
-     * @param stretch vector along the longer axis: the root of what the variance along it has more
-     */
-    record Light(Vector3fc towards, Vector3fc color, double deviation, Vector3fc stretch) {
-        double luminance() {
-            return 0.2126729 * color.x() + 0.7151522 * color.y() + 0.0721750 * color.z();
-        }
-
-        /** Returns lights that add up to this one, one for each of the samples that have different lights. */
-        Stream<Light> shared() {
-            Vector3f part = color.div(SkinSurface.LIGHT_STRIDE, new Vector3f());
-            return Stream.generate(() -> new Light(towards, part, deviation, stretch))
-                    .limit(SkinSurface.LIGHT_STRIDE);
-        }
-    }
-
-    /**
      * @param middle unit vector along the group's shadows
      * @param penumbra radius of a shadow's edge per distance from its caster; 0 for a group without shadows
      */
@@ -76,9 +58,15 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
         /** Returns the linear Rec. 709 of a white plane under these lights, without shadows. */
         Vector3f onPlane(Vector3fc normal) {
             Vector3f sum = new Vector3f();
-            lights.forEach(light -> sum.fma(Math.max(0, light.towards().dot(normal)), light.color()));
+            lights.forEach(light -> sum.fma(Math.max(0, light.towards().dot(normal)), light.radiance()));
             return sum;
         }
+    }
+
+    /** Returns lights that add up to one, one for each of the samples that have different lights. */
+    private static Stream<Light> shared(Light light) {
+        Light part = light.withRadiance(light.radiance().div(SkinSurface.LIGHT_STRIDE, new Vector3f()));
+        return Stream.generate(() -> part).limit(SkinSurface.LIGHT_STRIDE);
     }
 
     /** Returns an environment's lights, or the scene's own, the first group those of the key light; fill lights cast no shadows. */
@@ -109,12 +97,12 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
                 : BRIGHT
                         * finest.stream()
                                 .flatMap(List::stream)
-                                .mapToDouble(Light::luminance)
+                                .mapToDouble(LightTree::luminance)
                                 .sum();
         List<Group> groups = new ArrayList<>();
         for (int i = 0; i < regions.size(); i++) {
             List<Light> lights = above(scene, regions.get(i), up)
-                    .flatMap(light -> light.luminance() < bright ? Stream.of(light) : light.shared())
+                    .flatMap(light -> LightTree.luminance(light) < bright ? Stream.of(light) : shared(light))
                     .toList();
             if (!lights.isEmpty()) {
                 boolean hasShadows = scene.hasShadows() && !moves;
@@ -131,21 +119,22 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
 
     /** Returns a region's lights that no ground hides. */
     private static Stream<Light> above(Scene scene, LightTree.Group region, Vector3fc up) {
-        float turn = scene.get(SceneSettings.ENVIRONMENT_ROTATION).floatValue();
         float intensity = scene.get(SceneSettings.ENVIRONMENT_INTENSITY).floatValue();
-        return region.lights().stream()
+        List<Light> leaves = region.lights().stream()
                 .map(light -> new Light(
-                        light.towards().rotateZ(turn, new Vector3f()),
-                        light.color().mul(intensity, new Vector3f()),
+                        light.towards(),
+                        light.radiance().mul(intensity, new Vector3f()),
                         OVERLAP * light.deviation(),
-                        light.stretch().mul((float) OVERLAP, new Vector3f()).rotateZ(turn)))
+                        light.stretch().mul((float) OVERLAP, new Vector3f())))
+                .toList();
+        return SceneGraph.environment(scene, leaves).lights().stream()
                 .filter(light -> scene.ground().isEmpty() || light.towards().dot(up) > 0);
     }
 
     /** Returns the mean direction of lights by luminance, or that of the first light if they cancel. */
     private static Vector3f middle(List<Light> lights) {
         Vector3f sum = new Vector3f();
-        lights.forEach(light -> sum.fma((float) light.luminance(), light.towards()));
+        lights.forEach(light -> sum.fma((float) LightTree.luminance(light), light.towards()));
         return sum.length() > 0 ? sum.normalize() : sum.set(lights.get(0).towards());
     }
 
@@ -182,14 +171,7 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
 
     /** Luminance of a white surface that faces the brightest side, without shadows. */
     double white() {
-        List<Light> all = all();
-        return all.stream()
-                .mapToDouble(facing -> all.stream()
-                        .mapToDouble(light ->
-                                light.luminance() * Math.max(0, light.towards().dot(facing.towards())))
-                        .sum())
-                .max()
-                .orElse(0);
+        return LightTree.white(all());
     }
 
     int count() {
@@ -203,7 +185,7 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
 
     /** True for more lights than a scene has without environment. */
     boolean areMany() {
-        return count() > jrtr.scene.Light.MOST;
+        return count() > Light.MOST;
     }
 
     boolean areWide() {
@@ -217,8 +199,8 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
             int end = first + group.lights().size();
             if (light < end) {
                 Light alone = group.lights().get(light - first);
-                double share = alone.luminance()
-                        / all().stream().mapToDouble(Light::luminance).sum();
+                double share = LightTree.luminance(alone)
+                        / all().stream().mapToDouble(LightTree::luminance).sum();
                 return new LightList(
                         List.of(new Group(List.of(alone), group.middle(), group.penumbra())),
                         areDrawn,

@@ -13,6 +13,7 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
+import jrtr.scene.Light;
 import jrtr.scene.RenderItem;
 import jrtr.scene.RenderPass;
 import jrtr.scene.View;
@@ -23,7 +24,6 @@ import org.joml.Vector3fc;
 import org.joml.Vector4f;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.render.LightList.Group;
-import sunbeam.app.render.LightList.Light;
 import sunbeam.app.scene.environment.RadianceMap;
 
 /** Lights and shadow maps in graphics memory (shaders/include/light_list.glsl, shadow.glsl). Belongs to its context's thread. */
@@ -65,13 +65,10 @@ final class LightTexture implements AutoCloseable {
     private Optional<RadianceMap> shownSky = Optional.empty();
     private Vector3f horizon = new Vector3f();
 
-    /** Meshes that cast shadows, and the sphere around them, in world space. */
-    record Casters(List<RenderItem> items, BoundingSphere bounds) {}
-
     /** Input of the maps: equal inputs draw equal maps. */
-    private record Casting(Casters casters, List<Vector3fc> directions) {}
+    private record Casting(List<RenderItem> items, List<Vector3fc> directions) {}
 
-    private record Shown(Casters casters, LightList lights, int side) {}
+    private record Shown(List<RenderItem> items, LightList lights, int side) {}
 
     LightTexture(RenderContext context) {
         this.context = context;
@@ -98,25 +95,29 @@ final class LightTexture implements AutoCloseable {
     }
 
     /** Uploads lights and draws their maps unless both are up to date; moving pictures have coarser maps. */
-    void update(LightList lights, Casters casters, boolean moves) {
+    void update(LightList lights, List<RenderItem> items, boolean moves) {
         List<Group> shadowed =
                 lights.groups().stream().filter(Group::hasShadows).toList();
         int side = moves ? MOVING_SIDE : shadowed.size() > 1 ? MANY_SIDE : SIDE;
-        Shown wanted = new Shown(casters, lights, side);
+        Shown wanted = new Shown(items, lights, side);
         if (wanted.equals(shown)) {
             return;
         }
         List<Vector3fc> directions = shadowed.stream().map(Group::middle).toList();
-        Casting casting = new Casting(casters, directions);
+        Casting casting = new Casting(items, directions);
+        BoundingSphere bounds = items.stream()
+                .map(RenderItem::bounds)
+                .reduce(BoundingSphere::with)
+                .orElseThrow();
         int across = (int) Math.ceil(Math.sqrt(directions.size()));
         if (!directions.isEmpty() && !casting.equals(drawn.get(side))) {
             FloatTarget map = maps.computeIfAbsent(side, all -> context.createFloatTarget("shadows", spec(all)));
             for (int i = 0; i < directions.size(); i++) {
-                draw(casters, view(casters, directions.get(i)), map, across, i);
+                draw(items, view(bounds, directions.get(i)), map, across, i);
             }
             drawn.put(side, casting);
         }
-        upload(lights, casters, side, across);
+        upload(lights, bounds, side, across);
         shown = wanted;
     }
 
@@ -166,18 +167,16 @@ final class LightTexture implements AutoCloseable {
         return horizon;
     }
 
-    private void draw(Casters casters, View view, FloatTarget map, int across, int number) {
+    private void draw(List<RenderItem> items, View view, FloatTarget map, int across, int number) {
         int side = map.spec().width() / across;
         int x = number % across * side;
         int y = number / across * side;
         View.Area area = new View.Area(
                 side, side, new Tile(-x, -y, map.spec().width(), map.spec().height()));
-        new RenderPass(context, program, Map.of(), true)
-                .draw(casters.items(), view, area, map, new Tile(x, y, side, side));
+        new RenderPass(context, program, Map.of(), true).draw(items, view, area, map, new Tile(x, y, side, side));
     }
 
-    private static View view(Casters casters, Vector3fc towards) {
-        BoundingSphere bounds = casters.bounds();
+    private static View view(BoundingSphere bounds, Vector3fc towards) {
         float distance = DISTANCE * bounds.radius();
         float reach = MARGIN * bounds.radius();
         Vector3f eye = new Vector3f(bounds.center()).fma(distance, towards);
@@ -186,12 +185,12 @@ final class LightTexture implements AutoCloseable {
         return new View(new Camera(eye, bounds.center(), up), angle, 0, distance - reach, distance + reach);
     }
 
-    private void upload(LightList lights, Casters casters, int side, int across) {
+    private void upload(LightList lights, BoundingSphere bounds, int side, int across) {
         List<Light> all = lights.all();
         for (int i = 0; i < all.size(); i++) {
             Light light = all.get(i);
             put(TOWARDS, i, light.towards(), Math.pow(light.deviation(), 2));
-            put(COLOR, i, light.color(), 0);
+            put(COLOR, i, light.radiance(), 0);
             put(STRETCH, i, light.stretch(), 0);
         }
         int first = 0;
@@ -202,12 +201,12 @@ final class LightTexture implements AutoCloseable {
             put(LIGHTS, i, first, end, 0, 0);
             if (group.hasShadows()) {
                 int texelsAcross = side / across;
-                float lift = LIFT * 2 * MARGIN * casters.bounds().radius() / texelsAcross;
+                float lift = LIFT * 2 * MARGIN * bounds.radius() / texelsAcross;
                 put(LIGHTS, i, first, end, 1, lift);
                 double share = (double) texelsAcross / side;
                 put(TILE, i, share * (map % across), 1 - share * (map / across + 1), share, group.penumbra());
                 View.Area area = View.Area.whole(texelsAcross, texelsAcross);
-                Matrix4f toClip = view(casters, group.middle()).worldToClip(area);
+                Matrix4f toClip = view(bounds, group.middle()).worldToClip(area);
                 for (int column = 0; column < CHANNELS; column++) {
                     Vector4f values = toClip.getColumn(column, new Vector4f());
                     put(MATRIX + column, i, values.x, values.y, values.z, values.w);

@@ -8,6 +8,7 @@ import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
+import jrtr.scene.Light;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -175,7 +176,7 @@ final class PackedShading implements AutoCloseable {
         int[] covered = IntStream.range(0, (all.length + stride - 1) / stride)
                 .map(i -> all[stride * i])
                 .toArray();
-        List<LightList.Light> lights = part.lights.all();
+        List<Light> lights = part.lights.all();
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = upload(part, covered, first);
             for (int light = 0; light < lights.size(); light++) {

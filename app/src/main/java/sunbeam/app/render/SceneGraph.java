@@ -1,6 +1,5 @@
 package sunbeam.app.render;
 
-import java.util.ArrayList;
 import java.util.List;
 import jrtr.scene.GraphSceneManager;
 import jrtr.scene.Light;
@@ -12,22 +11,27 @@ import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
 
-/** Makes the scene graph of a scene: its camera, its lights, and a model, which one node turns. */
+/** Makes the scene graphs of a scene: of its camera and a model, which one node turns, and of an environment's lights, which another turns. */
 final class SceneGraph {
     private SceneGraph() {}
 
     /**
-     * Returns the contents of a scene in world space.
+     * Returns camera and model in world space.
      *
      * @param center point about which the scene's orientation turns the model, world space
      */
     static GraphSceneManager of(Scene scene, Vector3fc center, List<? extends Node> model) {
-        List<Node> nodes = new ArrayList<>();
-        nodes.add(scene.view().camera());
-        scene.lights().forEach(light -> nodes.add(new Light(light.towards(), new Vector3f((float) light.intensity()))));
-        nodes.add(turned(scene.orientation(), fromCenter(center, model), center));
-        return new GraphSceneManager(new TransformGroup(new Matrix4f(), nodes));
+        Node turned = turned(scene.orientation(), fromCenter(center, model), center);
+        return new GraphSceneManager(
+                new TransformGroup(new Matrix4f(), scene.view().camera(), turned));
+    }
+
+    /** Returns an environment's lights in world space. */
+    static GraphSceneManager environment(Scene scene, List<Light> lights) {
+        float turn = scene.get(SceneSettings.ENVIRONMENT_ROTATION).floatValue();
+        return new GraphSceneManager(new TransformGroup(new Matrix4f().rotationZ(turn), List.copyOf(lights)));
     }
 
     /** Returns the matrix from the model's space to world space: a rotation about a point. */

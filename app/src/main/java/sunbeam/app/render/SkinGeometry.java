@@ -2,6 +2,7 @@ package sunbeam.app.render;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import jrtr.Tile;
 import jrtr.VertexData.BoundingSphere;
 import jrtr.gl.FloatTarget;
@@ -19,31 +20,52 @@ import sunbeam.app.scene.Viewpoint;
  * Input of the geometry pass; equal inputs draw equal attributes.
  *
  * @param items shapes in world space
- * @param bounds sphere around the shapes
  */
-record SkinGeometry(List<RenderItem> items, BoundingSphere bounds, Viewpoint view, int width, int height) {
-    // Distance of near and far plane from the center of all shapes, in radii; above 1, so that rounding clips nothing.
+record SkinGeometry(List<RenderItem> items, Viewpoint view, int width, int height) {
+    // Distance of near and far plane from a shape's center, in radii; above 1, so that rounding clips nothing.
     private static final float MARGIN = 1.02f;
-    // Near plane to far plane, for an eye inside the mesh's sphere; suits a 32-bit depth buffer.
+    // Near plane to far plane, for an eye inside a shape's sphere; suits a 32-bit depth buffer.
     private static final float NEAREST = 1e-3f;
-    // Distance of both planes from the mesh's center relative to the eye's, so that float32 separates them.
+    // The same at least, for shapes far apart; less would round the farthest depths to that of no shape.
+    private static final float NEAREST_OF_ALL = 1e-6f;
+    // Distance of both planes from a shape's center relative to the eye's, so that float32 separates them.
     private static final float THINNEST = 1e-4f;
 
-    static View view(Viewpoint view, BoundingSphere bounds) {
-        Camera camera = view.camera();
-        Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
-        // From the eye to the mesh's center, along the line of sight.
-        float distance =
-                bounds.center().sub(camera.centerOfProjection(), new Vector3f()).dot(sight.normalize());
-        float reach = Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
-        // A mesh behind the eye is invisible with any planes.
-        float far = Math.max(distance, 0) + reach;
-        float near = Math.max(distance - reach, NEAREST * far);
-        return new View(camera, (float) view.verticalFieldOfView(), (float) Viewpoint.LEAST_ASPECT, near, far);
+    /** Distances from the eye, along the line of sight, between which a shape may be visible; none for one behind the eye. */
+    private record Depths(float near, float far, boolean isEyeOutside) {
+        static Optional<Depths> of(BoundingSphere bounds, Camera camera) {
+            Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
+            float distance = bounds.center()
+                    .sub(camera.centerOfProjection(), new Vector3f())
+                    .dot(sight.normalize());
+            float reach = Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
+            float far = Math.max(distance, 0) + reach;
+            boolean isOutside = distance - reach > NEAREST * far;
+            return distance + reach > 0
+                    ? Optional.of(new Depths(isOutside ? distance - reach : NEAREST * far, far, isOutside))
+                    : Optional.empty();
+        }
+
+        /** Contains both. The far plane is moved away from shapes much farther than others, whose depths would be rounded to its own. */
+        Depths with(Depths other) {
+            float least = Math.min(near, other.near);
+            float most = Math.max(far, other.far);
+            return new Depths(Math.max(least, NEAREST_OF_ALL * most), most, isEyeOutside && other.isEyeOutside);
+        }
     }
 
-    private View sight() {
-        return view(view, bounds);
+    private Depths depths() {
+        return items.stream()
+                .flatMap(item -> Depths.of(item.bounds(), view.camera()).stream())
+                .reduce(Depths::with)
+                .orElse(new Depths(1, 2, true));
+    }
+
+    View sight() {
+        Depths depths = depths();
+        float far = depths.near < NEAREST * depths.far ? 2 * depths.far : depths.far;
+        float angle = (float) view.verticalFieldOfView();
+        return new View(view.camera(), angle, (float) Viewpoint.LEAST_ASPECT, depths.near, far);
     }
 
     void applyRaysTo(ShaderProgram program, Tile block) {
@@ -57,9 +79,7 @@ record SkinGeometry(List<RenderItem> items, BoundingSphere bounds, Viewpoint vie
     }
 
     void draw(RenderContext context, ShaderProgram program, FloatTarget target, Tile block) {
-        // Then the near plane, and so the eye, is in front of all shapes in any orientation.
-        boolean seesFromOutside = sight().near() > NEAREST * sight().far();
-        new RenderPass(context, program, Map.of(), seesFromOutside)
+        new RenderPass(context, program, Map.of(), depths().isEyeOutside)
                 .draw(
                         items,
                         sight(),

@@ -205,12 +205,12 @@ final class SkinSurface implements AutoCloseable {
             GeometryBuffer buffer,
             Tile block,
             double exposure) {
-        List<LightList.Light> lights = list.all().subList(0, Math.min(Light.MOST, list.count()));
+        List<Light> lights = list.all().subList(0, Math.min(Light.MOST, list.count()));
         int taps = context.info().software() ? MOVING_SOFTWARE_TAPS : MOVING_HARDWARE_TAPS;
         ShaderProgram moving = movingPrograms.computeIfAbsent(
                 lights.size(),
                 count -> method.program("moving.frag", Map.of("MOST_TAPS", taps + "", "LIGHTS", count + "")));
-        setLights(moving, lights);
+        Light.apply(lights, moving);
         setBlend(moving, scene, list);
         float[] variances = Floats.of(lights.size(), i -> Math.pow(lights.get(i).deviation(), 2));
         moving.set("lightVariances", variances);
@@ -249,15 +249,6 @@ final class SkinSurface implements AutoCloseable {
         target.copyDepthFrom(buffer.attributes());
         context.drawCovered(moving, textures, target, whole);
         return target.readColors(0, whole);
-    }
-
-    /** For jrtr/lights.glsl. */
-    static void setLights(ShaderProgram program, List<LightList.Light> lights) {
-        Light.apply(
-                lights.stream()
-                        .map(light -> new Light(light.towards(), light.color()))
-                        .toList(),
-                program);
     }
 
     private void setBlend(ShaderProgram program, Scene scene, LightList lights) {

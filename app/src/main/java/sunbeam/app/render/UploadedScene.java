@@ -20,6 +20,7 @@ import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.GraphSceneManager;
+import jrtr.scene.Light;
 import jrtr.scene.Material;
 import jrtr.scene.RenderPass;
 import jrtr.scene.Shape;
@@ -49,7 +50,6 @@ final class UploadedScene implements AutoCloseable {
     private final Picking picking;
     private final Map<Layout, GeometryBuffer.Cache> buffers = new EnumMap<>(Layout.class);
     private List<Integer> looks = List.of();
-    private SceneShape shape;
     private Meshes meshes;
     private List<SkinTextures> bodies = List.of();
 
@@ -67,19 +67,19 @@ final class UploadedScene implements AutoCloseable {
 
     /** Light from all directions; empty for a scene with lights of its own. */
     Optional<RadianceMap> environment() {
-        return shape.environment();
+        return meshes.shape.environment();
     }
 
     /** Geometry of a scene with the uploaded meshes. */
     SkinGeometry geometry(Scene scene, int width, int height) {
         GraphSceneManager graph = graph(scene);
-        BoundingSphere bounds = graph.bounds().orElseThrow();
-        return new SkinGeometry(graph.items(), bounds, viewpoint(scene, graph), width, height);
+        var view = new Viewpoint(graph.camera().orElseThrow(), scene.view().verticalFieldOfView());
+        return new SkinGeometry(graph.items(), view, width, height);
     }
 
     /** Uploads lights and draws their shadow maps; moving pictures have coarser ones. */
     LightTexture lights(SkinGeometry geometry, LightList list, boolean moves) {
-        lights.update(list, new LightTexture.Casters(geometry.items(), geometry.bounds()), moves);
+        lights.update(list, geometry.items(), moves);
         lights.surround(list, environment());
         return lights;
     }
@@ -99,10 +99,6 @@ final class UploadedScene implements AutoCloseable {
                     new Shape(meshes.buffers.get(i), thing.mesh().closed(), material)));
         }
         return SceneGraph.of(scene, meshes.bounds.center(), model);
-    }
-
-    private static Viewpoint viewpoint(Scene scene, GraphSceneManager graph) {
-        return new Viewpoint(graph.camera().orElseThrow(), scene.view().verticalFieldOfView());
     }
 
     /** Returns a block's geometry; valid until the next call. */
@@ -137,7 +133,6 @@ final class UploadedScene implements AutoCloseable {
                 () -> closeUnless(keepsMeshes, nextMeshes));
         bodies.stream().filter(body -> !nextBodies.contains(body)).forEach(SkinTextures::close);
         closeUnless(keepsMeshes, meshes);
-        this.shape = shape;
         meshes = nextMeshes;
         bodies = nextBodies;
         looks = scene.looks();
@@ -269,14 +264,11 @@ final class UploadedScene implements AutoCloseable {
         }
 
         Optional<Pick> pick(UploadedScene uploaded, Scene scene, View.Area pixel) {
-            GraphSceneManager graph = uploaded.graph(scene);
-            List<LightList.Light> lights =
-                    LightList.moving(scene, uploaded.environment()).all();
-            SkinSurface.setLights(program, lights.subList(0, 1));
-            View view =
-                    SkinGeometry.view(viewpoint(scene, graph), graph.bounds().orElseThrow());
+            SkinGeometry geometry = uploaded.geometry(scene, pixel.pictureWidth(), pixel.pictureHeight());
+            List<Light> lights = LightList.moving(scene, uploaded.environment()).all();
+            Light.apply(lights.subList(0, 1), program);
             new RenderPass(context, program, Map.of(), false)
-                    .draw(graph.items(), view, pixel, target, Tile.whole(1, 1));
+                    .draw(geometry.items(), geometry.sight(), pixel, target, Tile.whole(1, 1));
             float[] point = target.read(0);
             if (point[3] == 0) {
                 return Optional.empty();

@@ -10,11 +10,11 @@ import java.util.Optional;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import jrtr.VertexData.BoundingSphere;
+import jrtr.scene.Light;
 import org.joml.Matrix3f;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
-import sunbeam.app.render.LightList.Light;
 import sunbeam.app.render.SceneShape.Thing;
 import sunbeam.app.render.UploadedScene.SkinTextures;
 import sunbeam.app.scene.Energy;
@@ -138,7 +138,8 @@ public record WebScene(Map<String, Object> fields, byte[] columns, Map<String, B
     }
 
     private static Map<String, Object> light(Light light) {
-        return Map.of("towards", list(light.towards()), "color", list(light.color()), "deviation", light.deviation());
+        return Map.of(
+                "towards", list(light.towards()), "color", list(light.radiance()), "deviation", light.deviation());
     }
 
     private static Map<String, Object> uniforms(SceneData data, Thing thing, LightList lights) {

@@ -11,7 +11,6 @@ import java.util.stream.Stream;
 import jrtr.scene.Light;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
-import org.joml.Vector3f;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.BodyTexture;
@@ -345,26 +344,5 @@ public record Scene(
 
     public BodyAlpha bodyAlpha() {
         return settings.get(SceneSettings.BODY_ALPHA, method.isThesis() ? BodyAlpha.FRESNEL : BodyAlpha.LIGHT);
-    }
-
-    /** Motion of an animated scene about the vertical (z), counterclockwise from above. */
-    public enum Motion {
-        /** Light and camera stay. */
-        TURNTABLE,
-        /** Mesh and camera stay. */
-        LIGHT_SWEEP;
-
-        public Scene at(Scene scene, double radians) {
-            if (this == TURNTABLE) {
-                Quaternionf turn = new Quaternionf().rotationZ((float) radians);
-                return scene.withOrientation(turn.mul(scene.orientation()).normalize());
-            }
-            if (scene.hasEnvironment()) {
-                return scene.with(
-                        SceneSettings.ENVIRONMENT_ROTATION, scene.get(SceneSettings.ENVIRONMENT_ROTATION) + radians);
-            }
-            Vector3f towards = new Vector3f(scene.light().towards()).rotateZ((float) radians);
-            return scene.withLight(scene.light().pointing(towards));
-        }
     }
 }

@@ -226,7 +226,7 @@ public final class Scenes {
     private static double size(String text) {
         double meters = coordinate(text);
         if (!(meters >= SMALLEST_SIZE)) {
-            throw new IllegalArgumentException(Text.quoted(text) + " is out of range; give 1 nm to 1000 km");
+            throw new IllegalArgumentException(Text.quoted(text) + " is out of range; give 1 nm to 1e6 m");
         }
         return meters;
     }
@@ -280,7 +280,7 @@ public final class Scenes {
     private static double coordinate(String text) {
         double meters = Lengths.parse(text);
         if (!(Math.abs(meters) <= LARGEST_NUMBER)) {
-            throw new IllegalArgumentException(Text.quoted(text) + " is out of range; give at most 1000 km");
+            throw new IllegalArgumentException(Text.quoted(text) + " is out of range; give at most 1e6 m");
         }
         return meters;
     }

@@ -14,8 +14,8 @@ import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
+import sunbeam.app.scene.Motion;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.Scene.Motion;
 import sunbeam.app.viewer.FileActions.Kind;
 import sunbeam.app.viewer.model.Drags;
 

@@ -15,7 +15,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.Tile;
-import jrtr.VertexData.BoundingSphere;
 import jrtr.scene.View;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
@@ -138,7 +137,8 @@ class BuiltInScenesTest extends InAScene {
 
     /** Greatest distance of the mesh from the middle along x and y, in halves of the picture. */
     private static float[] reach(Scene scene, int width, int height) {
-        Matrix4f toClip = SkinGeometry.view(scene.view(), new BoundingSphere(new Vector3f(), 1))
+        Matrix4f toClip = new SkinGeometry(List.of(), scene.view(), width, height)
+                .sight()
                 .worldToClip(View.Area.whole(width, height));
         float[] reach = new float[2];
         for (int vertex = 0; vertex < SNAKE.vertices(); vertex++) {

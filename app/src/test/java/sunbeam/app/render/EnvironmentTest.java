@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import jrtr.Tile;
+import jrtr.scene.Light;
 import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
@@ -28,7 +29,6 @@ import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.Weights;
-import sunbeam.app.scene.environment.LightTree.RegionLight;
 import sunbeam.app.scene.environment.RadianceFiles;
 import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.precompute.color.CieTable;
@@ -115,7 +115,7 @@ class EnvironmentTest extends InAScene {
     @Test
     void aBrightPixelIsTheLightOfItsDirection() throws IOException {
         Path file = RadianceFiles.gray(folder.resolve("pixel.hdr"), 128, 64, (x, y) -> x == 60 && y == 12 ? 200 : 0);
-        RegionLight light = RadianceMap.load(file.toString())
+        Light light = RadianceMap.load(file.toString())
                 .lights()
                 .groups(1, 1)
                 .get(0)
@@ -123,7 +123,7 @@ class EnvironmentTest extends InAScene {
                 .get(0);
         Scene scene = table(DIFFRACTION_ONLY);
         Scene alone = scene.withLight(
-                new SceneLight(light.towards(), light.color().y(), 4 * LightList.OVERLAP * light.deviation()));
+                new SceneLight(light.towards(), light.radiance().y(), 4 * LightList.OVERLAP * light.deviation()));
         float[] expected = drawn(alone, SIZE, SIZE);
         float[] environment = drawn(under(scene, file, 64), SIZE, SIZE);
         double brightest = Arrays.stream(luminances(expected)).max().orElseThrow();

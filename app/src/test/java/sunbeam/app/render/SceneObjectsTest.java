@@ -185,6 +185,26 @@ class SceneObjectsTest extends InAScene {
     }
 
     @Test
+    void objectsNearAndFarAreDrawnInOnePicture() {
+        SceneObject near = object("sphere", "lamellar", MIXED, at(0, 0, 0, 0.1));
+        SceneObject far = object("plane", "blaze", MIXED, at(0, 0, -1e6, 1e6));
+        float[] alone = drawn(scene(near));
+        float[] behind = drawn(scene(far));
+        for (Scene both : List.of(scene(near, far), scene(far, near))) {
+            float[] drawn = drawn(both);
+            for (int i = 0; i < drawn.length; i++) {
+                float expected = alone[i / 4 * 4 + 3] > 0 ? alone[i] : behind[i];
+                // Sums of light and body are rounded on the processor or on the graphics card.
+                assertThat(drawn[i]).isCloseTo(expected, within(2e-6f + 1e-5f * expected));
+            }
+        }
+        for (float[] one : List.of(alone, behind)) {
+            assertThat(IntStream.range(0, WIDTH * HEIGHT).filter(i -> one[4 * i + 3] > 0))
+                    .hasSizeGreaterThan(20);
+        }
+    }
+
+    @Test
     void aChangeOfOneObjectReloadsThatAlone() {
         Scene scene = scene(left, right);
         List<SceneData> before = parts(scene);

@@ -129,7 +129,7 @@ class SceneFileTest {
         assertThat(Scenes.read(write(with(many))).objects()).hasSize(SceneObject.MOST);
         assertRefused(with(many + ", {}"), "objects", "at most 64");
         assertRefused(with(""), "objects", "is empty; give 1 to 64 objects");
-        assertRefused(with("{ \"size\": \"0 m\" }"), "objects.size", "give 1 nm to 1000 km");
+        assertRefused(with("{ \"size\": \"0 m\" }"), "objects.size", "give 1 nm to 1e6 m");
         assertRefused(with("{ \"size\": 3 }"), "objects.size", "unit");
         assertRefused(with("{ \"position\": [\"1 m\", \"2 m\"] }"), "objects.position", "3 values");
         assertRefused(with("{ \"orientation\": [1, 1, 1, 1] }"), "objects.orientation", "unit quaternion");

@@ -22,8 +22,8 @@ import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.Motion;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.Scene.Motion;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.units.Angles;
 

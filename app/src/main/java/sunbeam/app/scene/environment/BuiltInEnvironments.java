@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import jrtr.scene.Light;
 import org.joml.Vector3d;
 import org.joml.Vector3f;
 
@@ -68,7 +69,7 @@ final class BuiltInEnvironments {
             addSun(map, rgb);
         }
         if (!name.equals("sky")) {
-            float white = (float) white(map);
+            float white = (float) LightTree.white(faces(map));
             for (int i = 0; i < rgb.length; i++) {
                 rgb[i] /= white;
             }
@@ -76,21 +77,8 @@ final class BuiltInEnvironments {
         return map;
     }
 
-    /** Luminance of a white surface that faces the brightest side. */
-    private static double white(RadianceMap map) {
-        List<LightTree.RegionLight> lights =
-                LightTree.of(map, FACES).groups(FACES, 1).get(0).lights();
-        return lights.stream()
-                .mapToDouble(facing -> lights.stream()
-                        .mapToDouble(light -> luminance(light.color())
-                                * Math.max(0, light.towards().dot(facing.towards())))
-                        .sum())
-                .max()
-                .orElseThrow();
-    }
-
-    private static double luminance(org.joml.Vector3fc color) {
-        return RadianceMap.luminance(color.x(), color.y(), color.z());
+    private static List<Light> faces(RadianceMap map) {
+        return LightTree.of(map, FACES).groups(FACES, 1).get(0).lights();
     }
 
     private static double[] gray(double value) {
@@ -135,7 +123,7 @@ final class BuiltInEnvironments {
 
     /** Adds the sun's disc to the pixels that it covers; its energy is exact however few they are. */
     private static void addSun(RadianceMap map, float[] rgb) {
-        double sky = white(map);
+        double sky = LightTree.white(faces(map));
         double covered = 0;
         float[] shares = new float[rgb.length / 3];
         int fine = 16;

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.PriorityQueue;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
+import jrtr.scene.Light;
 import org.joml.Vector3d;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -33,28 +34,34 @@ public final class LightTree {
     private final Region root;
 
     /**
-     * A region as one light.
-     *
-     * @param towards unit vector to its mean direction
-     * @param color irradiance across that direction over pi: the radiance of a white surface, linear Rec. 709
-     * @param deviation standard deviation of its directions along the shorter axis, radians
-     * @param stretch vector along the longer axis: the root of what the variance along it has more
-     */
-    public record RegionLight(Vector3fc towards, Vector3fc color, double deviation, Vector3fc stretch) {}
-
-    /**
-     * Neighboring regions.
+     * Neighboring regions, each as one light: its radiance is the irradiance across its direction over pi, that of a white surface.
      *
      * @param deviation standard deviation of the directions of all of them along either axis, radians
      */
-    public record Group(List<RegionLight> lights, double deviation) {}
+    public record Group(List<Light> lights, double deviation) {}
+
+    public static double luminance(Light light) {
+        Vector3fc color = light.radiance();
+        return RadianceMap.luminance(color.x(), color.y(), color.z());
+    }
+
+    /** Luminance of a white surface that faces the brightest side of lights, without shadows; 0 without lights. */
+    public static double white(List<Light> lights) {
+        return lights.stream()
+                .mapToDouble(facing -> lights.stream()
+                        .mapToDouble(light ->
+                                luminance(light) * Math.max(0, light.towards().dot(facing.towards())))
+                        .sum())
+                .max()
+                .orElse(0);
+    }
 
     private static final class Region {
         final int first;
         final int end;
         // Number of halvings of the map that led here.
         final int depth;
-        RegionLight light;
+        Light light;
         double priority;
         // Number of regions when this one is halved.
         int step = Integer.MAX_VALUE;
@@ -153,7 +160,7 @@ public final class LightTree {
         double variance = Math.max(0, 1 - length) + ownVariance / luminance;
         Vector3d towards = length > 1e-9 ? sum.normalize() : new Vector3d(0, 0, 1);
         Vector3d stretch = stretch(region, towards, luminance);
-        region.light = new RegionLight(
+        region.light = new Light(
                 new Vector3f(towards),
                 new Vector3f((float) color[0], (float) color[1], (float) color[2]),
                 Math.sqrt(Math.max(ownVariance / luminance, variance - stretch.lengthSquared() / 2)),
@@ -163,7 +170,7 @@ public final class LightTree {
         return region;
     }
 
-    /** Returns the vector of {@link RegionLight#stretch}. */
+    /** Returns the vector of {@link Light#stretch}. */
     private Vector3d stretch(Region region, Vector3d towards, double luminance) {
         Vector3d across = towards.cross(
                         Math.abs(towards.z) < 0.9 ? new Vector3d(0, 0, 1) : new Vector3d(1, 0, 0), new Vector3d())
@@ -218,7 +225,7 @@ public final class LightTree {
     public List<Group> groups(int count, int groups) {
         List<Group> all = new ArrayList<>();
         visit(root, groups, group -> {
-            List<RegionLight> lights = new ArrayList<>();
+            List<Light> lights = new ArrayList<>();
             visit(group, count, region -> lights.add(region.light));
             all.add(new Group(lights, group.light.deviation()));
         });
@@ -236,7 +243,7 @@ public final class LightTree {
         // Luminance up to the next light.
         double[] left = {step / 2};
         visit(root, groups, group -> {
-            List<RegionLight> lights = new ArrayList<>();
+            List<Light> lights = new ArrayList<>();
             for (int i = group.first; i < group.end; i++) {
                 for (left[0] -= luminances[pixels[i]]; left[0] < 0; left[0] += step) {
                     lights.add(pixelLight(pixels[i], step));
@@ -248,7 +255,7 @@ public final class LightTree {
     }
 
     /** Returns a light in a pixel's direction, with its color and a luminance. */
-    private RegionLight pixelLight(int pixel, double luminance) {
+    private Light pixelLight(int pixel, double luminance) {
         int row = pixel / map.width();
         double scale = luminance / (map.luminance(row, pixel % map.width()) * Math.PI);
         Vector3f color = new Vector3f();
@@ -256,7 +263,7 @@ public final class LightTree {
             color.setComponent(c, (float) (scale * map.value(row, pixel % map.width(), c)));
         }
         Vector3f towards = new Vector3f(directions[3 * pixel], directions[3 * pixel + 1], directions[3 * pixel + 2]);
-        return new RegionLight(towards, color, 0, new Vector3f());
+        return new Light(towards, color, 0, new Vector3f());
     }
 
     private static void visit(Region region, int count, Consumer<Region> each) {

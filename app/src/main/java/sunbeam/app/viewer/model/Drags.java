@@ -6,8 +6,8 @@ import org.joml.Matrix4f;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
+import sunbeam.app.scene.Motion;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
 
 /** Geometry of mouse drags and wheel turns that move model, light or camera. */
@@ -33,17 +33,13 @@ public final class Drags {
                 scene.orientation().transform(camera.up(), new Vector3f()).normalize();
         // The front of a model that hangs upside down turns the other way around its vertical.
         double turn = vertical.dot(toRight.cross(sight, new Vector3f())) < 0 ? -right : right;
-        return rotated(scene, rotation(-up, toRight).mul(rotation(turn, vertical)));
+        return Motion.turned(scene, rotation(-up, toRight).mul(rotation(turn, vertical)));
     }
 
     /** Rolls the model about the line of sight, counterclockwise in the picture; the angle is in radians. */
     public static Scene rolled(Scene scene, double angle) {
-        return rotated(scene, rotation(-angle, sight(scene.view().camera()).normalize()));
-    }
-
-    /** Normalizes the orientation, since rounding errors add up over many drags. */
-    private static Scene rotated(Scene scene, Quaternionf rotation) {
-        return scene.withOrientation(rotation.mul(scene.orientation()).normalize());
+        return Motion.turned(
+                scene, rotation(-angle, sight(scene.view().camera()).normalize()));
     }
 
     private static Quaternionf rotation(double angle, Vector3fc axis) {
@@ -60,9 +56,7 @@ public final class Drags {
      */
     public static Scene lit(Scene scene, double right, double up) {
         if (scene.hasEnvironment()) {
-            return scene.with(
-                    SceneSettings.ENVIRONMENT_ROTATION,
-                    Math.IEEEremainder(scene.get(SceneSettings.ENVIRONMENT_ROTATION) + right, 2 * Math.PI));
+            return Motion.lightTurned(scene, right);
         }
         Matrix4f worldToCamera = scene.view().camera().worldToCamera();
         Vector3f seen = worldToCamera.transformDirection(scene.light().towards(), new Vector3f());

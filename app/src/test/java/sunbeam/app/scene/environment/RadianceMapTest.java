@@ -8,13 +8,13 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import jrtr.scene.Light;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.scene.environment.LightTree.RegionLight;
 import sunbeam.precompute.files.InputException;
 
 /** Maps of radiance: files, built-in ones, and the lights that stand for them. */
@@ -28,15 +28,10 @@ class RadianceMapTest {
         return folder.resolve("map.hdr");
     }
 
-    private static List<RegionLight> lights(RadianceMap map, int count) {
+    private static List<Light> lights(RadianceMap map, int count) {
         return map.lights().groups(count, 16).stream()
                 .flatMap(group -> group.lights().stream())
                 .toList();
-    }
-
-    private static double luminance(RegionLight light) {
-        return RadianceMap.luminance(
-                light.color().x(), light.color().y(), light.color().z());
     }
 
     @ParameterizedTest
@@ -45,7 +40,7 @@ class RadianceMapTest {
         RadianceMap map = RadianceMap.load(name);
         for (int count : new int[] {1, 16, 500, 2048}) {
             double sum = lights(map, count).stream()
-                    .mapToDouble(RadianceMapTest::luminance)
+                    .mapToDouble(LightTree::luminance)
                     .sum();
             // The lights' colors are float32.
             assertThat(Math.PI * sum).as("%d lights", count).isCloseTo(map.luminance(), within(1e-5 * map.luminance()));
@@ -53,7 +48,7 @@ class RadianceMapTest {
         assertThat(lights(map, 500)).hasSize(500);
         double[] drawn = map.lights().pixels(16).stream()
                 .flatMap(group -> group.lights().stream())
-                .mapToDouble(RadianceMapTest::luminance)
+                .mapToDouble(LightTree::luminance)
                 .toArray();
         // Lights that are drawn alike have equal luminance, which bounds the noise of few draws.
         assertThat(drawn).hasSize(2048);
@@ -67,11 +62,11 @@ class RadianceMapTest {
     @ParameterizedTest
     @ValueSource(strings = {"window", "overcast", "sun"})
     void aWhiteSurfaceThatFacesTheBrightSideIsWhite(String name) {
-        List<RegionLight> lights = lights(RadianceMap.load(name), 2048);
+        List<Light> lights = lights(RadianceMap.load(name), 2048);
         double white = lights.stream()
                 .mapToDouble(facing -> lights.stream()
-                        .mapToDouble(light ->
-                                luminance(light) * Math.max(0, light.towards().dot(facing.towards())))
+                        .mapToDouble(light -> LightTree.luminance(light)
+                                * Math.max(0, light.towards().dot(facing.towards())))
                         .sum())
                 .max()
                 .orElseThrow();
@@ -83,7 +78,7 @@ class RadianceMapTest {
     void onePixelIsOneLightInItsDirection() throws IOException {
         RadianceMap map = RadianceMap.load(RadianceFiles.gray(file(), 64, 32, (x, y) -> x == 48 && y == 8 ? 200 : 0)
                 .toString());
-        RegionLight light = lights(map, 64).get(0);
+        Light light = lights(map, 64).get(0);
         assertThat(lights(map, 64)).hasSize(1);
         // A quarter right of the middle is +x; a quarter below the zenith is 45 degrees: both within half a pixel.
         Vector3f expected = new Vector3f(1, 0, 1).normalize();
@@ -91,20 +86,20 @@ class RadianceMapTest {
         double solidAngle =
                 Math.PI / 32 * Math.PI / 32 * Math.cos(light.towards().angle(new Vector3f(1, 0, 0)));
         // The solid angle of a pixel of 5.6 degrees is nearly its sides' product.
-        assertThat(Math.PI * luminance(light)).isCloseTo(200.5 / 128 * solidAngle, within(0.01 * solidAngle));
+        assertThat(Math.PI * LightTree.luminance(light)).isCloseTo(200.5 / 128 * solidAngle, within(0.01 * solidAngle));
         assertThat(light.deviation()).isBetween(0.02, 0.05);
     }
 
     @Test
     void theSunIsOneNarrowLight() {
-        List<RegionLight> lights = lights(RadianceMap.load("sun"), 64);
-        RegionLight brightest = lights.stream()
-                .max((a, b) -> Double.compare(luminance(a), luminance(b)))
+        List<Light> lights = lights(RadianceMap.load("sun"), 64);
+        Light brightest = lights.stream()
+                .max((a, b) -> Double.compare(LightTree.luminance(a), LightTree.luminance(b)))
                 .orElseThrow();
         // The disc's deviation is a quarter of 0.53 degrees; a pixel of 0.35 degrees and the sky close to it add to
         // that.
         assertThat(Math.toDegrees(brightest.deviation())).isLessThan(1);
-        assertThat(luminance(brightest)).isGreaterThan(0.6);
+        assertThat(LightTree.luminance(brightest)).isGreaterThan(0.6);
     }
 
     /** Half as wide at most, whatever the file: 16384 x 8192 pixels in floats would take 1.6 GB. */
