@@ -130,7 +130,7 @@ record RandomCase(
 
     List<float[]> evaluate(RenderContext context, SpectrumPlan plan) {
         Surface surface = surface();
-        FourierTable table = plan.fourierTable(surface.levels(), done -> {});
+        FourierTable table = plan.fourierTable(surface.map(), done -> {});
         MethodUse use = colors ? MethodUse.COLOR : MethodUse.SPECTRAL;
         try (UploadedTables method = UploadedTables.upload(context, plan.tables(table, use, surface.cie()));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, !colors)) {

@@ -8,7 +8,6 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.CoefficientTable;
 import sunbeam.precompute.spectrum.Expansion;
@@ -69,12 +68,11 @@ public final class OrderSpectrum {
         rows = map.rows();
         bandX = distinct(columns, width);
         bandY = distinct(rows, height);
-        HeightLevels levels = new HeightLevels(map);
-        scale = HeightScale.midRange(levels);
+        scale = HeightScale.midRange(map);
         Expansion expansion = LowRankExpansion.of(
-                levels, scale, 0, scale.phase(CieTable.MINIMUM_WAVELENGTH, LARGEST_W), TOLERANCE, Integer.MAX_VALUE);
+                map, scale, 0, scale.phase(CieTable.MINIMUM_WAVELENGTH, LARGEST_W), TOLERANCE, Integer.MAX_VALUE);
         coefficients = CoefficientTable.sampled(expansion);
-        values = values(FourierTable.of(levels, expansion, bandX, bandY, terms -> {}));
+        values = values(FourierTable.of(map, expansion, bandX, bandY, terms -> {}));
     }
 
     /** Returns the bins that are visible under some light at the shortest wavelength. */

@@ -198,8 +198,7 @@ public record PqMethod(
 
         private ShaderTables tables() {
             HeightMap map = surface.map();
-            PeriodSpectrum spectrum =
-                    new PeriodSpectrum(surface.levels(), expansion, bandX, bandY, method.interpolation);
+            PeriodSpectrum spectrum = new PeriodSpectrum(surface.map(), expansion, bandX, bandY, method.interpolation);
             CoefficientTable coefficients = CoefficientTable.sampled(expansion);
             ArrayLayout terms = termsLayout();
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");

@@ -2,32 +2,27 @@ package sunbeam.precompute.method;
 
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.setting.SettingException;
 
 /** Surface and light for which methods are planned: heights without missing samples, and a name for messages. */
-public record Surface(HeightLevels levels, String name, CieTable cie, Roughness.Cache statistics) {
+public record Surface(HeightMap map, String name, CieTable cie, Roughness.Cache statistics) {
     public Surface(HeightMap map, String name, CieTable cie) {
-        this(new HeightLevels(map), name, cie, Roughness.Cache.NONE);
+        this(map, name, cie, Roughness.Cache.NONE);
     }
 
     public static Surface of(Patch patch) {
         return new Surface(patch.heights(), patch.name(), CieTable.load());
     }
 
-    public HeightMap map() {
-        return levels.map();
-    }
-
     public Surface withLight(CieTable light) {
-        return new Surface(levels, name, light, statistics);
+        return new Surface(map, name, light, statistics);
     }
 
     public Surface withStatistics(Roughness.Cache newStatistics) {
-        return new Surface(levels, name, cie, newStatistics);
+        return new Surface(map, name, cie, newStatistics);
     }
 
     void requireSmoothLight() {
@@ -40,12 +35,12 @@ public record Surface(HeightLevels levels, String name, CieTable cie, Roughness.
     }
 
     public Planner planner() {
-        return new Planner(levels, cie, statistics);
+        return new Planner(map, cie, statistics);
     }
 
     /** Returns the SHA-256 of grid and heights in hexadecimal, for cache keys; plans alone do without it. */
     public String digest() {
-        return map().digest();
+        return map.digest();
     }
 
     String key() {

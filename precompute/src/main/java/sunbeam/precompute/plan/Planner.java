@@ -7,7 +7,6 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Sampling.BinSampling;
 import sunbeam.precompute.plan.Sampling.OrderSampling;
 import sunbeam.precompute.plan.Sampling.OrderSampling.BandRule;
@@ -26,7 +25,7 @@ import sunbeam.precompute.units.Lengths;
  * Makes a {@link SpectrumPlan} from a patch, the user's choices and a scene's directions, within a heap of so many bytes and a shader's
  * loop steps per pixel.
  */
-public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, Roughness.Cache statistics) {
+public record Planner(HeightMap heights, CieTable cie, long heapLimit, long mostSteps, Roughness.Cache statistics) {
     private static final int THESIS_TERMS = 37;
     // Per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum at distance 1 /
     // p; the first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to a coherent power's normalization.
@@ -36,7 +35,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
     // Radians; the time to find an expansion's basis, half a minute here, grows with the third power.
     private static final double LARGEST_PHASE = 800;
 
-    public Planner(HeightLevels heights, CieTable cie, Roughness.Cache statistics) {
+    public Planner(HeightMap heights, CieTable cie, Roughness.Cache statistics) {
         this(heights, cie, Runtime.getRuntime().maxMemory(), Sampling.MOST_LOOP_STEPS, statistics);
     }
 
@@ -52,7 +51,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
 
     /** Plans for a patch whose roughness, which takes seconds, was measured under this window or a longer one. */
     public SpectrumPlan plan(TableChoices choices, GaussianArea area, VisibleRange range, Roughness roughness) {
-        HeightMap map = heights.map();
+        HeightMap map = heights;
         requireSamples(area.window(), map);
         ErrorBudget budget = new ErrorBudget(choices.tolerance(), roughness.withWindow(area.window(), range));
         Expansion expansion = expansion(choices, range, budget);
@@ -82,8 +81,8 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
 
     /** Measures the roughness if the plan may interpolate the spectrum on a grid; else returns {@link Roughness#NONE}. */
     public Roughness roughness(TableChoices choices, GaussianArea area, VisibleRange range) {
-        return !choices.fixesBins() && Samplings.interpolates(heights.map(), area.window())
-                ? Roughness.measure(heights.map(), area.window(), area.origin(), range, statistics)
+        return !choices.fixesBins() && Samplings.interpolates(heights, area.window())
+                ? Roughness.measure(heights, area.window(), area.origin(), range, statistics)
                 : Roughness.NONE;
     }
 
@@ -166,7 +165,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
     }
 
     private record Samplings(
-            HeightLevels heights, CieTable cie, GaussianArea area, VisibleRange range, ErrorBudget budget) {
+            HeightMap heights, CieTable cie, GaussianArea area, VisibleRange range, ErrorBudget budget) {
         // 40 steps of 1 / lambda, 5 nm in the blue, 8 nm in the green, resolve the color matching functions and D65.
         private static final int FEWEST_NODES = 40;
         private static final int NODES_AT_STANDARD = 60;
@@ -190,8 +189,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
                 return List.of(() -> new BinSampling(bins(), WavelengthNodes.integrated(cie, step), true));
             }
             // The next order, at least half a bin away, must vanish there, so that the valley between orders is dark.
-            double sigmaBins = area.window().sigmaFrequency()
-                    * Math.max(heights.map().width(), heights.map().height());
+            double sigmaBins = area.window().sigmaFrequency() * Math.max(heights.width(), heights.height());
             double neighbor = CoherenceWindow.amplitude(0.5 / sigmaBins);
             if (neighbor < 1e-3 * budget.tolerance()) {
                 return List.of(this::orders);
@@ -201,7 +199,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             Supplier<Sampling> apart = () -> grid(budget.compactInterpolation(area.average()), true);
             Supplier<Sampling> bins = () -> new OrderSampling(bins(), Optional.empty(), band(fewestNodes()));
             // Where orders are resolved along an axis, a fine enough grid is larger than the bins.
-            return interpolates(heights.map(), area.window())
+            return interpolates(heights, area.window())
                     ? List.of(fast, compact, apart, bins)
                     : List.of(bins, fast, compact, apart);
         }
@@ -209,16 +207,16 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         private Neighborhood bins() {
             double sigma = area.window().sigmaFrequency();
             return new Neighborhood(
-                    budget.neighborhoodRadius(sigma * heights.map().width()),
-                    budget.neighborhoodRadius(sigma * heights.map().height()),
+                    budget.neighborhoodRadius(sigma * heights.width()),
+                    budget.neighborhoodRadius(sigma * heights.height()),
                     Neighborhood.Anchor.NEAREST);
         }
 
         private Neighborhood reached() {
             double reach = InterpolationDesign.GAUSS_REACH * area.window().sigmaFrequency();
             return new Neighborhood(
-                    (int) Math.ceil(reach * heights.map().width()),
-                    (int) Math.ceil(reach * heights.map().height()),
+                    (int) Math.ceil(reach * heights.width()),
+                    (int) Math.ceil(reach * heights.height()),
                     Neighborhood.Anchor.NEAREST);
         }
 

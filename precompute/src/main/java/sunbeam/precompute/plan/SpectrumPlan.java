@@ -11,7 +11,6 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.Excess;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
@@ -40,7 +39,7 @@ public record SpectrumPlan(
     private static final double SHORT_WINDOW_REACH = 4;
 
     /** Transforms heights; the consumer receives the number of terms finished by each transform. */
-    public FourierTable fourierTable(HeightLevels heights, IntConsumer progress) {
+    public FourierTable fourierTable(HeightMap heights, IntConsumer progress) {
         return FourierTable.of(heights, expansion, bandX, bandY, progress);
     }
 

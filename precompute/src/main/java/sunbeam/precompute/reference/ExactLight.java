@@ -7,7 +7,6 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 import sunbeam.precompute.reference.SurfaceSums.AxisWeights;
 import sunbeam.precompute.reference.SurfaceSums.AxisWeights.Axis;
@@ -50,7 +49,7 @@ public sealed interface ExactLight {
         private static final double NODES_PER_FRINGE = 8;
 
         /** Returns the step of 1 / lambda, 1 / meters, that resolves the power; an order deviates by sigma_f / (sqrt 2 |(u, v)|). */
-        public static double step(CoherenceWindow window, HeightLevels heights, double uv, double w) {
+        public static double step(CoherenceWindow window, HeightMap heights, double uv, double w) {
             double deviation = window.sigmaFrequency() / (Math.sqrt(2) * Math.max(1e-9, uv));
             double fringes = w * (heights.maximum() - heights.minimum());
             // The bandwidth of a product is the sum of its factors' bandwidths.

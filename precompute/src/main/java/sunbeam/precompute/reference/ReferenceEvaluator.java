@@ -6,7 +6,6 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.reference.SurfaceSums.AxisWeights;
 import sunbeam.precompute.reference.SurfaceSums.AxisWeights.Axis;
 
@@ -44,7 +43,7 @@ public record ReferenceEvaluator(
     /** Coherent light in one direction, and |mean of exp(i k w h)|^2: in mirror direction, the specular order's share of light. */
     public record Sample(double coherent, double specular) {}
 
-    public HeightLevels heights() {
+    public HeightMap heights() {
         return surface.heights();
     }
 

@@ -4,14 +4,12 @@ import java.util.Arrays;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.patch.HeightLevels;
 
 /** Sums p = exp(i k w h), or another function of the height, over the rows of a patch: one sum per column and per set of row weights. */
-record SurfaceSums(HeightLevels heights, boolean isTabulated) {
+record SurfaceSums(HeightMap heights, boolean isTabulated) {
     /** Decides once whether to tabulate p: that takes as long as a sum over a small map. */
     static SurfaceSums of(HeightMap map) {
-        HeightLevels heights = new HeightLevels(map);
-        return new SurfaceSums(heights, !heights.areTooManyToTabulate());
+        return new SurfaceSums(map, !map.hasTooManyLevels());
     }
 
     Sums overRows(double w, double wavelength, AxisWeights... alongY) {
@@ -22,7 +20,7 @@ record SurfaceSums(HeightLevels heights, boolean isTabulated) {
     Sums overSamples(double w, double wavelength, AxisWeights... alongY) {
         double phasePerMeter = 2 * Math.PI / wavelength * w;
         double zero = phaseZero();
-        HeightMap map = heights.map();
+        HeightMap map = heights;
         return overRows(
                 (row, real, imaginary) -> {
                     for (int column = 0; column < imaginary.length; column++) {
@@ -57,7 +55,7 @@ record SurfaceSums(HeightLevels heights, boolean isTabulated) {
     }
 
     private Sums overRows(RowValues values, AxisWeights... alongY) {
-        HeightMap map = heights.map();
+        HeightMap map = heights;
         Sums sums = new Sums(new double[alongY.length][map.columns()], new double[alongY.length][map.columns()]);
         double[] real = new double[map.columns()];
         double[] imaginary = new double[map.columns()];

@@ -12,7 +12,6 @@ import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.numerics.Floats;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.ValueKind;
 
 /**
@@ -23,15 +22,15 @@ public record FourierTable(
         HeightMap map, Expansion expansion, Band bandX, Band bandY, float[][] real, float[][] imaginary) {
     /** Transforms the terms within bands; the consumer receives the number of terms finished by each transform. */
     public static FourierTable of(
-            HeightLevels heights, Expansion expansion, Band bandX, Band bandY, IntConsumer progress) {
+            HeightMap heights, Expansion expansion, Band bandX, Band bandY, IntConsumer progress) {
         float[][] empty = new float[expansion.terms()][];
-        FourierTable table = new FourierTable(heights.map(), expansion, bandX, bandY, empty, empty.clone());
+        FourierTable table = new FourierTable(heights, expansion, bandX, bandY, empty, empty.clone());
         table.transform(heights, progress);
         return table;
     }
 
     /** Transforms two real terms a, b at once, z = a + i b: A(f) = (Z(f) + Z*(-f)) / 2, B(f) = (Z(f) - Z*(-f)) / 2i. */
-    private void transform(HeightLevels heights, IntConsumer progress) {
+    private void transform(HeightMap heights, IntConsumer progress) {
         boolean inPairs = expansion.kind().hasRealBasis();
         Band x = inPairs ? bandX.symmetric() : bandX;
         Band y = inPairs ? bandY.symmetric() : bandY;
@@ -80,10 +79,10 @@ public record FourierTable(
 
     /** Returns the rows of an image: real and imaginary parts of a term, or two real terms, at the height of each sample. */
     static BandTransform2d.RowSource rows(
-            HeightLevels heights, HeightScale scale, DoubleUnaryOperator realPart, DoubleUnaryOperator imaginaryPart) {
-        HeightMap map = heights.map();
+            HeightMap heights, HeightScale scale, DoubleUnaryOperator realPart, DoubleUnaryOperator imaginaryPart) {
+        HeightMap map = heights;
         int columns = map.columns();
-        if (heights.areTooManyToTabulate()) {
+        if (heights.hasTooManyLevels()) {
             return (row, realRow, imaginaryRow) -> {
                 for (int column = 0; column < columns; column++) {
                     double scaled = scale.scaled(map.at(column, row));

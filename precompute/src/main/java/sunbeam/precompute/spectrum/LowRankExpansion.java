@@ -9,7 +9,7 @@ import org.apache.commons.math3.linear.QRDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.apache.commons.math3.special.BesselJ;
-import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Expansion with the fewest terms for one patch: singular vectors of the kernel exp(-i zeta s), sampled at Gauss-Legendre nodes of the phases
@@ -25,7 +25,7 @@ public record LowRankExpansion(
 
     /** Returns the fewest terms, at most {@code mostTerms}, whose rms error over heights and phases is within a tolerance. */
     public static LowRankExpansion of(
-            HeightLevels heights,
+            HeightMap heights,
             HeightScale scale,
             double minimumPhase,
             double maximumPhase,
@@ -189,12 +189,12 @@ public record LowRankExpansion(
         private static final double INTERVAL = 4;
         private static final int NODES = 12;
 
-        static HeightRule of(HeightLevels levels, HeightScale scale, double maximumPhase) {
+        static HeightRule of(HeightMap levels, HeightScale scale, double maximumPhase) {
             int count = Math.max(1, (int) Math.ceil(2 * maximumPhase / INTERVAL));
             Interval[] intervals = new Interval[count];
             Arrays.setAll(intervals, i -> new Interval());
-            boolean many = levels.areTooManyToTabulate();
-            double[] all = many ? levels.map().heights() : levels.levels();
+            boolean many = levels.hasTooManyLevels();
+            double[] all = many ? levels.heights() : levels.levels();
             int[] counts = many ? new int[0] : levels.histogram();
             for (int i = 0; i < all.length; i++) {
                 double height = scale.scaled(all[i]);
@@ -204,7 +204,7 @@ public record LowRankExpansion(
             DoubleStream.Builder heights = DoubleStream.builder();
             DoubleStream.Builder shares = DoubleStream.builder();
             for (Interval interval : intervals) {
-                interval.addTo(heights, shares, levels.map().heights().length);
+                interval.addTo(heights, shares, levels.heights().length);
             }
             return new HeightRule(heights.build().toArray(), shares.build().toArray());
         }

@@ -2,7 +2,7 @@ package sunbeam.precompute.spectrum;
 
 import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
-import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.spectrum.InterpolationDesign.KaiserBessel;
 
 /**
@@ -75,14 +75,14 @@ public enum PeriodInterpolation {
      * {@link PeriodInterpolation#RING} to the corner, as in the thesis.
      */
     public record PeriodSpectrum(
-            HeightLevels heights,
+            HeightMap heights,
             Expansion expansion,
             Band bandX,
             Band bandY,
             PeriodInterpolation interpolation,
             BandTransform2d transform) {
         public PeriodSpectrum(
-                HeightLevels heights, Expansion expansion, Band bandX, Band bandY, PeriodInterpolation interpolation) {
+                HeightMap heights, Expansion expansion, Band bandX, Band bandY, PeriodInterpolation interpolation) {
             this(
                     heights,
                     expansion,
@@ -90,8 +90,8 @@ public enum PeriodInterpolation {
                     bandY,
                     interpolation,
                     new BandTransform2d(
-                            interpolation.oversampling * heights.map().columns(),
-                            interpolation.oversampling * heights.map().rows(),
+                            interpolation.oversampling * heights.columns(),
+                            interpolation.oversampling * heights.rows(),
                             bandX,
                             bandY));
         }
@@ -102,8 +102,8 @@ public enum PeriodInterpolation {
 
         /** Returns one term times {@code expansion.kind().turn(n)}, in rows of ascending y samples. Runs on all cores. */
         public ComplexVector term(int n) {
-            double[] correctionX = interpolation.corrections(heights.map().columns());
-            double[] correctionY = interpolation.corrections(heights.map().rows());
+            double[] correctionX = interpolation.corrections(heights.columns());
+            double[] correctionY = interpolation.corrections(heights.rows());
             BandTransform2d.RowSource rows = FourierTable.rows(
                     heights, expansion.scale(), s -> expansion.realBasis(n, s), s -> expansion.imaginaryBasis(n, s));
             ComplexVector term = transform.transform((row, real, imaginary) -> {
@@ -124,10 +124,9 @@ public enum PeriodInterpolation {
         private void turn(ComplexVector samples, Complex turn) {
             double padding = interpolation.oversampling() * interpolation.oversampling();
             double turns = interpolation == PeriodInterpolation.RING ? 0 : 1.0 / interpolation.oversampling();
-            double turnsX =
-                    -turns * middle(heights.map().columns()) / heights.map().columns();
+            double turnsX = -turns * middle(heights.columns()) / heights.columns();
             // Rows run downwards, y upwards.
-            double turnsY = turns * middle(heights.map().rows()) / heights.map().rows();
+            double turnsY = turns * middle(heights.rows()) / heights.rows();
             for (int i = 0; i < samples.length(); i++) {
                 int jx = bandX.first() + i % bandX.count();
                 int jy = bandY.first() + i / bandX.count();

@@ -56,8 +56,7 @@ class RadialBakerTest {
         SpectrumPlan wide = surface.planner()
                 .plan(TableChoices.within(1e-4), area, VisibleRange.all())
                 .widened(map, shortest.window());
-        return PowerSpectrum.of(
-                wide.fourierTable(surface.levels(), terms -> {}), new ErrorBudget(tolerance).powerBasis());
+        return PowerSpectrum.of(wide.fourierTable(surface.map(), terms -> {}), new ErrorBudget(tolerance).powerBasis());
     }
 
     private static RadialBaker baker(PowerSpectrum spectrum, GaussianArea area, double step) {

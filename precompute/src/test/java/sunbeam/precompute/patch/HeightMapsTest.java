@@ -230,10 +230,10 @@ class HeightMapsTest {
     private static final int SIDE = 40;
 
     /** Asserts that the levels are the sorted distinct heights and that each sample's index finds its height; returns the levels. */
-    private static HeightLevels assertSortedDistinctAndIndexed(IntToDoubleFunction heights) {
+    private static HeightMap assertSortedDistinctAndIndexed(IntToDoubleFunction heights) {
         double[] samples = new double[SIDE * SIDE];
         Arrays.setAll(samples, heights);
-        HeightLevels levels = new HeightLevels(new HeightMap(SIDE, SIDE, 1e-8, 1e-8, samples));
+        HeightMap levels = new HeightMap(SIDE, SIDE, 1e-8, 1e-8, samples);
 
         assertThat(levels.levels())
                 .containsExactly(Arrays.stream(samples)
@@ -251,13 +251,12 @@ class HeightMapsTest {
     void everySampleHasItsLevelAndMinusZeroIsZero() {
         Random random = new Random(4);
         assertSortedDistinctAndIndexed(i -> 1e-7 * random.nextGaussian());
-        HeightLevels bytes = assertSortedDistinctAndIndexed(i -> 1e-9 * random.nextInt(256));
-        assertThat(bytes.count()).isBetween(250, 256);
-        HeightLevels flat = assertSortedDistinctAndIndexed(i -> 3e-9);
-        assertThat(flat.count()).isEqualTo(1);
-        HeightLevels zeros =
-                assertSortedDistinctAndIndexed(i -> i % 3 == 0 ? -0.0 : i % 3 == 1 ? 0.0 : Double.MIN_VALUE);
-        assertThat(zeros.count()).isEqualTo(2);
+        HeightMap bytes = assertSortedDistinctAndIndexed(i -> 1e-9 * random.nextInt(256));
+        assertThat(bytes.levels().length).isBetween(250, 256);
+        HeightMap flat = assertSortedDistinctAndIndexed(i -> 3e-9);
+        assertThat(flat.levels().length).isEqualTo(1);
+        HeightMap zeros = assertSortedDistinctAndIndexed(i -> i % 3 == 0 ? -0.0 : i % 3 == 1 ? 0.0 : Double.MIN_VALUE);
+        assertThat(zeros.levels().length).isEqualTo(2);
     }
 
     @Test
@@ -276,11 +275,11 @@ class HeightMapsTest {
         double[] samples = new double[side * side];
         for (int levels : new int[] {1, 2, 256, 4096, 10_000}) {
             Arrays.setAll(samples, i -> 1e-9 * random.nextInt(levels));
-            HeightLevels few = new HeightLevels(new HeightMap(side, side, 1e-8, 1e-8, samples.clone()));
-            assertThat(few.areTooManyToTabulate()).as("%d levels", levels).isFalse();
+            HeightMap few = new HeightMap(side, side, 1e-8, 1e-8, samples.clone());
+            assertThat(few.hasTooManyLevels()).as("%d levels", levels).isFalse();
         }
         Arrays.setAll(samples, i -> random.nextGaussian());
-        assertThat(new HeightLevels(new HeightMap(side, side, 1e-8, 1e-8, samples)).areTooManyToTabulate())
+        assertThat(new HeightMap(side, side, 1e-8, 1e-8, samples).hasTooManyLevels())
                 .isTrue();
     }
 

@@ -26,7 +26,6 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.GridSampling.TermsLayout;
 import sunbeam.precompute.plan.Sampling.BinSampling;
 import sunbeam.precompute.plan.Sampling.OrderSampling;
@@ -159,7 +158,7 @@ class PlannerTest {
     }
 
     private static Planner planner(HeightMap map, long heap) {
-        return new Planner(new HeightLevels(map), CIE, heap, Sampling.MOST_LOOP_STEPS, Roughness.Cache.NONE);
+        return new Planner(map, CIE, heap, Sampling.MOST_LOOP_STEPS, Roughness.Cache.NONE);
     }
 
     @Test
@@ -266,7 +265,7 @@ class PlannerTest {
     }
 
     private static ShaderTables tables(SpectrumPlan plan, MethodUse use) {
-        FourierTable table = plan.fourierTable(new HeightLevels(SKIN), done -> {});
+        FourierTable table = plan.fourierTable(SKIN, done -> {});
         return plan.tables(table, use, CIE);
     }
 

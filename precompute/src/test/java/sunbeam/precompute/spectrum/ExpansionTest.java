@@ -14,7 +14,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.spectrum.Expansion.TaylorExpansion;
 
 class ExpansionTest {
@@ -48,7 +47,7 @@ class ExpansionTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("surfaces")
     void theStatedErrorIsThatOfTheHeightsThemselves(String name, HeightMap map) {
-        HeightLevels heights = new HeightLevels(map);
+        HeightMap heights = map;
         HeightScale scale = HeightScale.midRange(heights);
         double maximum = scale.phase(SHORTEST_WAVELENGTH, 2);
         for (double tolerance : new double[] {1e-3, 1e-6}) {
@@ -91,8 +90,7 @@ class ExpansionTest {
 
     @Test
     void parabolasThroughThreeSamplesErrByLessThanFloat32RoundsThePhase() {
-        HeightLevels heights =
-                new HeightLevels(Surfaces.of(SIDE, SIDE, 2e-6, (x, y) -> 20e-6 * Math.floor(x / 16.5e-6)));
+        HeightMap heights = Surfaces.of(SIDE, SIDE, 2e-6, (x, y) -> 20e-6 * Math.floor(x / 16.5e-6));
         HeightScale scale = HeightScale.midRange(heights);
         Expansion expansion =
                 LowRankExpansion.of(heights, scale, 0, scale.phase(SHORTEST_WAVELENGTH, 2), 1e-6, Integer.MAX_VALUE);

@@ -17,7 +17,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.spectrum.Expansion.TaylorExpansion;
 
 /** Tables of terms, powers of them, and their file. */
@@ -35,9 +34,9 @@ class FourierTableTest {
     void everyTermIsTheDftOfItsPolynomial(int columns, int rows, int terms, double step) {
         HeightMap random = Surfaces.random(columns, rows, 40e-9, 300e-9, columns);
         HeightMap map = step == 0 ? random : random.map(height -> step * Math.rint(height / step));
-        HeightLevels heights = new HeightLevels(map);
+        HeightMap heights = map;
         // Functions of the height are evaluated at samples or at levels.
-        assertThat(heights.areTooManyToTabulate()).isEqualTo(step == 0);
+        assertThat(heights.hasTooManyLevels()).isEqualTo(step == 0);
         TaylorExpansion expansion = new TaylorExpansion(HeightScale.mean(heights), terms, 5);
         Band bandX = Band.of(-2, 4);
         Band bandY = Band.of(-3, 1);
@@ -75,7 +74,7 @@ class FourierTableTest {
     @CsvSource({"1, true", "3, true", "6, true", "20, true", "3, false", "6, false", "30, false"})
     void powersAreThoseOfTheTerms(int terms, boolean lowRank) {
         HeightMap map = Surfaces.random(20, 16, 40e-9, 300e-9, terms);
-        HeightLevels heights = new HeightLevels(map);
+        HeightMap heights = map;
         HeightScale scale = HeightScale.mean(heights);
         Expansion expansion = lowRank
                 ? LowRankExpansion.of(heights, scale, 0, MAXIMUM_PHASE, -1, terms)
@@ -134,7 +133,7 @@ class FourierTableTest {
     /** The format of docs/conventions.md. */
     @Test
     void filesDescribeTheirTableCompletely() {
-        HeightLevels heights = new HeightLevels(Surfaces.random(12, 10, 50e-9, 300e-9, 1));
+        HeightMap heights = Surfaces.random(12, 10, 50e-9, 300e-9, 1);
         HeightScale scale = HeightScale.midRange(heights);
         LowRankExpansion expansion = LowRankExpansion.of(heights, scale, 0, 5, 1e-3, Integer.MAX_VALUE);
         FourierTable table = FourierTable.of(heights, expansion, Band.of(-2, 3), Band.of(-4, 1), done -> {});

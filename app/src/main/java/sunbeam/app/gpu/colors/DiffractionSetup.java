@@ -201,7 +201,7 @@ public record DiffractionSetup(
     public FourierTable fourier(SpectrumPlan plan) {
         try (Progress task = progress.start(
                 "Fourier tables of " + surface.name(), plan.expansion().terms())) {
-            return plan.fourierTable(surface.levels(), task::step);
+            return plan.fourierTable(surface.map(), task::step);
         }
     }
 
