@@ -31,7 +31,7 @@ import sunbeam.app.files.output.TevClient;
 import sunbeam.app.files.plot.Drawing;
 import sunbeam.app.files.plot.PictureFile;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.scene.Energy;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;

@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import jrtr.Tile;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.PartSum;
 import sunbeam.app.render.PixelSamples;

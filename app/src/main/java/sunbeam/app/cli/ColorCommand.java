@@ -20,7 +20,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.StreamContent;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;

@@ -9,7 +9,7 @@ import java.util.function.ToDoubleFunction;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.TevClient;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.DisplayTransform;

@@ -29,7 +29,7 @@ import sunbeam.app.gpu.BrdfMapRenderer;
 import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.scene.Energy;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;

@@ -13,7 +13,7 @@ import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.EnergyBalance;

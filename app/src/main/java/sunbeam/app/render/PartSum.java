@@ -16,7 +16,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import jrtr.Tile;
 import sunbeam.app.gpu.colors.VirtualTexture;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;

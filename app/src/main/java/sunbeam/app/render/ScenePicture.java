@@ -3,7 +3,7 @@ package sunbeam.app.render;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 
 /**
  * A scene's picture or a tile of one, in linear colors before exposure.

@@ -16,7 +16,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
-import sunbeam.app.gpu.picture.PictureDifference;
+import sunbeam.app.picture.PictureDifference;
 import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.precompute.text.Text;

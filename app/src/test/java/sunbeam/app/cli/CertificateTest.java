@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.cli.Certificate.Limits;
 import sunbeam.app.gpu.DirectionQuery;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.errors.Comparison;

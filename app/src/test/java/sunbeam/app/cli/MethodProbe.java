@@ -17,7 +17,7 @@ import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;

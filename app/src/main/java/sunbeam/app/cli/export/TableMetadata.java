@@ -15,7 +15,7 @@ import sunbeam.app.cli.JsonOption;
 import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.colors.DiffractionSetup;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.EnergyDivisor;

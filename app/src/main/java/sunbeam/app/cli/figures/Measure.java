@@ -19,7 +19,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.files.input.PngText;
-import sunbeam.app.gpu.picture.PictureDifference;
+import sunbeam.app.picture.PictureDifference;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.files.InputException;

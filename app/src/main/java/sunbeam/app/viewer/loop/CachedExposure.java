@@ -3,7 +3,7 @@ package sunbeam.app.viewer.loop;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 

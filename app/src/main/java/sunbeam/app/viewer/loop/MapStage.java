@@ -13,7 +13,7 @@ import sunbeam.app.gpu.BrdfMapRenderer;
 import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.TimedTiles;

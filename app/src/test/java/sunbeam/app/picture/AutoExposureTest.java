@@ -1,4 +1,4 @@
-package sunbeam.app.gpu.picture;
+package sunbeam.app.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,4 +1,4 @@
-package sunbeam.app.gpu.picture;
+package sunbeam.app.picture;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;

@@ -1,2 +1,2 @@
 /** Linear pictures, their automatic exposure and conversion to sRGB, and comparison of pictures. */
-package sunbeam.app.gpu.picture;
+package sunbeam.app.picture;
