@@ -20,7 +20,7 @@ import sunbeam.precompute.color.CieLab;
 
 /** A page of a scene holds all that it needs, and shows what {@code render} draws. */
 class ScenePageTest extends InOneWorkplace {
-    private static final String OBJECT = "\"mesh\": \"sphere\", \"patch\": \"elaphe-like\", \"texture\": \"bands.png\"";
+    private static final String OBJECT = "\"mesh\": \"sphere\", \"patch\": \"sinusoid\", \"texture\": \"bands.png\"";
 
     private static String report;
     private static String page;
@@ -80,7 +80,7 @@ class ScenePageTest extends InOneWorkplace {
         assertThat(page)
                 .doesNotContain("http")
                 .doesNotContainPattern("@[A-Z]+@")
-                .contains("<h1>A grating of 1.0");
+                .contains("<h1>A repeated patch with a period of 2.5");
     }
 
     @Test

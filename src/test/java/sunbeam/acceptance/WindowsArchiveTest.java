@@ -175,8 +175,18 @@ class WindowsArchiveTest extends InOneWorkplace {
     /** Waits for the final picture and closes the window. */
     @Test
     void theViewerBecomesFinal() throws Exception {
+        Files.writeString(place.resolve("plane.json"), """
+                {
+                  "mesh": "plane",
+                  "patch": "blaze",
+                  "camera": { "position": ["-5 cm", "-10 cm", "40 cm"], "lookAt": ["0 m", "0 m", "0 m"] },
+                  "light": { "direction": [-0.2, 0.3, 0.9] },
+                  "texture": "none",
+                  "weights": { "diffraction": 30, "texture": 0.2, "ambient": 0.1 }
+                }
+                """);
         SunbeamResult result =
-                ended(0, onWindows("view", "disc", "--size", "320x240", "--tolerance", "0.1", "--measure", "1"));
+                ended(0, onWindows("view", "plane.json", "--size", "320x240", "--method", "full", "--measure", "1"));
         assertThat(result.stdout()).contains("final picture");
     }
 }

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
@@ -42,7 +43,7 @@ class ExposureTest {
     void itStaysWhileTheLightGoesRoundABuiltInScene() throws InterruptedException {
         List<Scene> scenes = new ArrayList<>(Scenes.builtIn().stream()
                 .map(Scenes::load)
-                .map(ExposureTest::byFull)
+                .map(ExposureTest::quick)
                 .toList());
         scenes.add(ViewerInAWindow.scene()
                 .with(Choices.none()
@@ -66,12 +67,15 @@ class ExposureTest {
         }
     }
 
-    /** The scene without what takes seconds to prepare: its patch, occlusion of the sky, random slopes and a table. */
-    private static Scene byFull(Scene scene) {
+    /** The scene without what takes seconds: its patch, occlusion of the sky, random slopes, a table, many lights. */
+    private static Scene quick(Scene scene) {
+        Choices colors = scene.hasEnvironment()
+                ? Choices.none()
+                        .with(Methods.METHOD, TableMethod.TYPE)
+                        .with(SceneSettings.ENVIRONMENT_LIGHTS, OptionalInt.of(4))
+                : Choices.none().with(Methods.METHOD, FullMethod.TYPE);
         return scene.withPatch(PatchRequest.of("blaze"))
-                .with(Choices.none()
-                        .with(Methods.METHOD, FullMethod.TYPE)
-                        .with(MethodSettings.TOLERANCE, 0.05)
+                .with(colors.with(MethodSettings.TOLERANCE, 0.05)
                         .with(MethodSettings.COHERENCE_LENGTH, 15e-6)
                         .with(SceneSettings.GROUND, Optional.empty())
                         .with(SceneSettings.SKY, 0.0)
@@ -82,7 +86,7 @@ class ExposureTest {
     /** Lets the loop draw a preview and, if wanted, all until the final picture; returns the last exposure. */
     private double draw(RenderLoop loop, GraphicsStage stage, SceneData data, int metering, boolean untilFinal)
             throws InterruptedException {
-        loop.show(new ViewState(new LoadedScene(List.of(data)), metering, 48, 36, false));
+        loop.show(new ViewState(new LoadedScene(List.of(data)), metering, 24, 18, false));
         loop.turn(stage);
         while (untilFinal && loop.phase != RenderLoop.Phase.COMPLETE) {
             assertThat(loop.phase).isNotEqualTo(RenderLoop.Phase.EMPTY);
