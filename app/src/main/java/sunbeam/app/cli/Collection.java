@@ -2,6 +2,7 @@ package sunbeam.app.cli;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.File;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,6 +13,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReadWriteLock;
+import java.util.concurrent.locks.ReentrantReadWriteLock;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -41,9 +48,9 @@ import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.work.Progress;
 
 /**
- * A command over several surfaces, or angles of the light. It runs once for each of them, as if it were called for that one with {@code
- * --json} and its file as {@code --output}. Their reports become a {@link CollectionFolder}. A surface that cannot be used does not stop
- * the others.
+ * A command over several surfaces, or angles of the light. It runs once for each of them, two at a time, as if it were called for that one
+ * with {@code --json} and its file as {@code --output}. Their reports become a {@link CollectionFolder}. A surface that cannot be used
+ * does not stop the others.
  */
 public record Collection(ParseResult parsed, Function<List<String>, Outcome> runner) {
     private static final String THETA_I = "--theta-i";
@@ -56,6 +63,11 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
     private static final List<String> OF_ONE = List.of("--with", "--linear");
 
     private static final int MOST = 100_000;
+    // Much of a surface's time is on one processor.
+    private static final int AT_ONCE = 2;
+    /** Bytes of a file whose heights may take much of the memory. */
+    private static final long LARGE = 4 << 20;
+
     private static final int NAMES_OF_FOLDER = 3;
     /** Bytes; a file's name may have 255, with number, angle and ending. */
     private static final int LONGEST_STEM = 200;
@@ -121,9 +133,15 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
         List<ObjectNode> rows = new ArrayList<>();
         String kept = "interrupted; what is finished is kept, add --resume to go on";
         ShutdownHook hook = new ShutdownHook(() -> err.println(Messages.error(kept)));
+        ReadWriteLock large = new ReentrantReadWriteLock();
+        ExecutorService pool = Executors.newFixedThreadPool(AT_ONCE);
         try (Progress progress = display.start("Surfaces", items.size())) {
-            for (Item item : items) {
-                ObjectNode row = row(item, folder, err);
+            List<CompletableFuture<ObjectNode>> made = items.stream()
+                    .map(item -> CompletableFuture.supplyAsync(() -> row(item, folder, large), pool))
+                    .toList();
+            for (CompletableFuture<ObjectNode> next : made) {
+                ObjectNode row = next.join();
+                tell(row, err);
                 if (failed(row) && wouldStopAll(code(row), folder)) {
                     return code(row);
                 }
@@ -132,6 +150,7 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
                 progress.step(1);
             }
         } finally {
+            pool.shutdownNow();
             hook.close();
         }
         print(out, rows, folder.write(command(), rows, display));
@@ -142,19 +161,27 @@ public record Collection(ParseResult parsed, Function<List<String>, Outcome> run
                 .orElse(ExitCode.OK.code());
     }
 
-    private ObjectNode row(Item item, CollectionFolder folder, PrintWriter err) {
+    /** Returns the row of a surface, while at most one other is made, and none beside a large file. */
+    private ObjectNode row(Item item, CollectionFolder folder, ReadWriteLock large) {
         Optional<Outcome> refused = refused(item);
         Optional<String> hash = refused.isPresent() ? Optional.empty() : hash(item);
-        Optional<ObjectNode> earlier = hash.flatMap(known -> folder.find(item, known));
-        if (earlier.isPresent()) {
-            return earlier.get();
-        }
-        ObjectNode row = folder.row(item, hash.orElse(""), refused.orElseGet(() -> run(item, folder)));
+        return hash.flatMap(known -> folder.find(item, known)).orElseGet(() -> {
+            Lock lock = new File(item.patch()).length() > LARGE ? large.writeLock() : large.readLock();
+            lock.lock();
+            try {
+                return folder.row(item, hash.orElse(""), refused.orElseGet(() -> run(item, folder)));
+            } finally {
+                lock.unlock();
+            }
+        });
+    }
+
+    private static void tell(ObjectNode row, PrintWriter err) {
         if (failed(row) && code(row) != ExitCode.INTERRUPTED.code()) {
             String message = row.get("message").textValue();
-            err.println(Messages.error(message.contains(item.patch()) ? message : item.patch() + ": " + message));
+            String file = row.get("file").textValue();
+            err.println(Messages.error(message.contains(file) ? message : file + ": " + message));
         }
-        return row;
     }
 
     /** Returns the failure of a folder's link to a file elsewhere, which is not read unless the command line names the link itself. */

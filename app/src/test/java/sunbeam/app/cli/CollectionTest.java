@@ -10,6 +10,7 @@ import de.siegmar.fastcsv.reader.NamedCsvRecord;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,7 +18,10 @@ import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.function.DoubleUnaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
@@ -25,6 +29,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import picocli.CommandLine;
+import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 
 final class CollectionTest extends CommandLineFixture {
@@ -64,6 +70,27 @@ final class CollectionTest extends CommandLineFixture {
 
     private FileTime time(String picture) throws IOException {
         return Files.getLastModifiedTime(report.resolve("surfaces").resolve(picture));
+    }
+
+    /** The first waits for the second, and ends after it. */
+    @Test
+    void twoSurfacesAreMadeAtOnceAndTheirRowsKeepTheirOrder() throws IOException {
+        CompletableFuture<Void> second = new CompletableFuture<Void>().orTimeout(20, TimeUnit.SECONDS);
+        Collection collection = Collection.of(
+                        new CommandLine(new InspectCommand())
+                                .parseArgs("disc", "blaze", "lamellar", "--output", report.toString()),
+                        words -> {
+                            if (words.contains("--patch=disc")) {
+                                second.join();
+                            }
+                            second.complete(null);
+                            return new Collection.Outcome(0, "{}", "");
+                        })
+                .orElseThrow();
+
+        collection.run(new PrintWriter(out), new PrintWriter(err), new Environment(Map.of(), folder).progress());
+
+        assertThat(column("file")).containsExactly("disc", "blaze", "lamellar");
     }
 
     @Test
