@@ -144,9 +144,9 @@ class EnvironmentTest extends InAScene {
                 back.transform(new Vector3f(camera.up())));
         Scene model = scene.withOrientation(back)
                 .withView(new Viewpoint(turned, scene.view().verticalFieldOfView()));
-        float[] environment = drawn(scene.with(SceneSettings.ENVIRONMENT_ROTATION, Math.PI / 2), SIZE, SIZE);
-        float[] other = drawn(model, SIZE, SIZE);
-        assertThat(environment).isNotEqualTo(drawn(scene, SIZE, SIZE));
+        float[] environment = drawn(scene.with(SceneSettings.ENVIRONMENT_ROTATION, Math.PI / 2), SIZE / 2, SIZE / 2);
+        float[] other = drawn(model, SIZE / 2, SIZE / 2);
+        assertThat(environment).isNotEqualTo(drawn(scene, SIZE / 2, SIZE / 2));
         double white = Arrays.stream(luminances(environment)).max().orElseThrow();
         int differing = 0;
         for (int i = 0; i < other.length; i++) {

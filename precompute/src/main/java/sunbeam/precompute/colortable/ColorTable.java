@@ -42,6 +42,10 @@ public record ColorTable(
     private static final double LINES_TOLERANCE = 5e-3;
     // Texel step of linear filters, relative to that of cubic ones: the largest before errors of means grow.
     private static final double LINES_STEP = 1.5;
+    // The same for coarse levels of a standard deviation from WIDE_SIGMA on, in (u, v): wide lights are seen on flanks
+    // of orders, where errors grow with the square of the step.
+    private static final double WIDE_LINES_STEP = 1.05;
+    private static final double WIDE_SIGMA = 0.025;
     // Factor of the step if orders are isolated, since splines ring in the dark between them: at tolerance 1e-2 the
     // 95th percentile of the errors of patch blaze is 2 % with it, 4 % without.
     private static final double ISOLATED_STEP = 0.85;
@@ -97,7 +101,9 @@ public record ColorTable(
                 levels.add(new Level(wider, scale, design, Interpolation.CUBIC, isFinest || ordersIsolated));
             }
             if (lines) {
-                TableDesign linear = new TableDesign(LINES_STEP * design.step(), design.slices());
+                boolean isWide = widening > finest && pointSigma * widening >= WIDE_SIGMA;
+                double factor = isWide ? WIDE_LINES_STEP : LINES_STEP;
+                TableDesign linear = new TableDesign(factor * design.step(), design.slices());
                 levels.add(new Level(wider, scale, linear, Interpolation.SHIFTED_LINES, isFinest));
             }
         }
