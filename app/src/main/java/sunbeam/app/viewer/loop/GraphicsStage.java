@@ -224,8 +224,11 @@ public final class GraphicsStage implements Stage {
     /** Draws the body in full resolution and the diffracted light from one sample per {@link #stride} columns and rows. */
     private Optional<Preview> coarse(BooleanSupplier interrupted) {
         double white = 1 / exposureSoFar();
+        Scene few = scene().hasEnvironment()
+                ? scene().with(SceneSettings.ENVIRONMENT_LIGHTS, OptionalInt.of(lights))
+                : scene();
         return current.sum()
-                .coarse(scene(), state.width(), state.height(), stride, white, current.tiles, interrupted)
+                .coarse(few, state.width(), state.height(), stride, white, current.tiles, interrupted)
                 .map(picture -> {
                     exposures.storeFirst(
                             scene(), state.metering(), () -> picture.reduced(1).linear());
@@ -233,7 +236,7 @@ public final class GraphicsStage implements Stage {
                     double side = samples().side();
                     double seconds = side * side * state.width() * state.height() * current.tiles.secondsPerPixel();
                     BufferedImage image = PixelPicture.image(picture, scene().display(exposure), scene().background());
-                    return new Preview(image, stride, true, exposure, seconds, OptionalInt.empty());
+                    return new Preview(image, stride, true, exposure, seconds, lights(few));
                 });
     }
 

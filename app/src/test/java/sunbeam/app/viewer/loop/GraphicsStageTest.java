@@ -24,6 +24,7 @@ import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.render.InAScene;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneLoader;
+import sunbeam.app.render.SceneSession;
 import sunbeam.app.scene.Placement;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
@@ -159,6 +160,40 @@ class GraphicsStageTest {
             // A stop at most: the light of orders is not known yet, but for its mean over built-in scenes.
             assertThat(light(before.image())).isBetween(colors / A_STOP, colors * A_STOP);
             assertThat(body).isBetween(colors / A_STOP, colors * A_STOP);
+        }
+    }
+
+    @Test
+    @NeedsDisplay
+    void aMovingPictureUnderAnEnvironmentHasAllObjectsAndFewLights() {
+        Scene plain = ViewerInAWindow.scene()
+                .withMesh(MeshSource.of("sphere"))
+                .with(Choices.none()
+                        .with(SceneSettings.ENVIRONMENT, "overcast")
+                        .with(SceneSettings.ROUGHNESS, Math.toRadians(2))
+                        .with(Methods.METHOD, TableMethod.TYPE));
+        List<SceneObject> objects = new ArrayList<>();
+        for (int side = -1; side <= 1; side += 2) {
+            Placement aside =
+                    new Placement(new Vector3f(0.05f * side, 0, 0), new Quaternionf(), OptionalDouble.of(0.06));
+            Choices own = plain.settings().with(SceneSettings.DIFFRACTION, 1000.0 + side);
+            objects.add(new SceneObject(own, plain.patches(), aside));
+        }
+        LoadedScene loaded = new LoadedScene(InAScene.parts(plain.withObjects(objects), folder));
+        try (GraphicsStage stage = new GraphicsStage()) {
+            stage.update(new ViewState(loaded, 0, WIDTH, HEIGHT, false), () -> {});
+            Stage.Preview moving = stage.moving(() -> false).orElseThrow();
+
+            assertThat(loaded.parts()).as("one for each look").hasSize(2);
+            assertThat(moving.lights()).hasValue(SceneSession.MOVING_LIGHTS);
+            int dark = green(moving.image(), WIDTH / 2, 0);
+            for (int side = 0; side < 2; side++) {
+                int left = side * WIDTH / 2;
+                assertThat(IntStream.range(0, WIDTH / 2 * HEIGHT)
+                                .filter(i -> green(moving.image(), left + i % (WIDTH / 2), i / (WIDTH / 2)) > dark + 20)
+                                .count())
+                        .isGreaterThan(20);
+            }
         }
     }
 
