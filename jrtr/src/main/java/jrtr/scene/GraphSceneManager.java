@@ -10,7 +10,7 @@ import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
 
 /** Contents of a scene graph in world space, by one walk in depth first, children in order. */
-public final class GraphSceneManager implements SceneManagerInterface {
+public final class GraphSceneManager {
     private final IdentityHashMap<TransformGroup, Matrix4fc> groups = new IdentityHashMap<>();
     private final List<RenderItem> items = new ArrayList<>();
     private final List<Light> lights = new ArrayList<>();
@@ -48,22 +48,20 @@ public final class GraphSceneManager implements SceneManagerInterface {
         return found;
     }
 
-    @Override
+    /** Returns the shapes in the order in which they are drawn. */
     public List<RenderItem> items() {
         return List.copyOf(items);
     }
 
-    @Override
     public List<Light> lights() {
         return List.copyOf(lights);
     }
 
-    @Override
     public Optional<Camera> camera() {
         return cameras.stream().findFirst();
     }
 
-    @Override
+    /** Returns a sphere that contains all shapes; empty without shapes. */
     public Optional<BoundingSphere> bounds() {
         return items.stream().map(RenderItem::bounds).reduce(BoundingSphere::with);
     }

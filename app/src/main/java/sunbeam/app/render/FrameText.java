@@ -37,7 +37,8 @@ public final class FrameText {
         for (Thing thing : parts.get(0).shape().things()) {
             Mesh mesh = thing.mesh();
             Body body = thing.body();
-            things.add(mesh.positions())
+            things.add(thing.toModel().get(new float[16]))
+                    .add(mesh.positions())
                     .add(mesh.normals())
                     .add(mesh.tangents())
                     .add(mesh.textureCoordinates())

@@ -7,13 +7,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import jrtr.VertexData.BoundingSphere;
+import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.scene.SceneSharing;
 import sunbeam.app.scene.environment.RadianceMap;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.MeshSource;
@@ -21,11 +22,12 @@ import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.units.Lengths;
 
 /**
  * Data of a scene without its diffraction, which takes longer to load.
  *
- * @param things one for each object
+ * @param things one for each object, or each part of its mesh
  * @param whole all meshes at their places in the model
  * @param sky visible share of the sky from all vertices of the whole; computed on first use
  * @param environment light from all directions; empty for a scene with lights of its own
@@ -36,11 +38,16 @@ public record SceneShape(
     private static final long MOST_VERTICES = 6_000_000;
 
     /**
-     * Mesh with its textures. Objects with equal ones share them.
+     * Mesh with its textures. Objects with equal ones share them, and parts of a file that places its mesh several times.
      *
+     * @param object index of the thing's object
      * @param toModel from the mesh's space to the model's
      */
-    public record Thing(Mesh mesh, Body body, Matrix4fc toModel) {}
+    public record Thing(int object, MeshSource.Part part, Body body, Matrix4fc toModel) {
+        public Mesh mesh() {
+            return part.mesh();
+        }
+    }
 
     /** Returns a sphere around the model; scenes turn about its center. */
     public BoundingSphere bounds() {
@@ -49,33 +56,44 @@ public record SceneShape(
 
     /** Loads a scene's meshes and textures, reusing those of another scene with equal settings; {@code previous} may be null. */
     static SceneShape load(Scene scene, SceneShape previous, Scene before, BlobCache cache, Consumer<String> warning) {
-        Map<MeshSource, Mesh> meshes = new HashMap<>();
+        Map<MeshSource, List<MeshSource.Part>> meshes = new HashMap<>();
         Map<List<Object>, Body> bodies = new HashMap<>();
-        for (int i = 0; previous != null && i < previous.things.size(); i++) {
-            meshes.put(before.at(i).mesh(), previous.things.get(i).mesh());
-            bodies.put(inputsOfBody(before.at(i)), previous.things.get(i).body());
+        if (previous != null) {
+            previous.things.stream()
+                    .collect(Collectors.groupingBy(Thing::object))
+                    .forEach((i, own) -> {
+                        meshes.put(
+                                before.at(i).mesh(),
+                                own.stream().map(Thing::part).toList());
+                        bodies.put(inputsOfBody(before.at(i)), own.get(0).body());
+                    });
         }
         List<Thing> things = new ArrayList<>();
         long vertices = 0;
         for (Scene object : scene.perObject()) {
-            Mesh mesh = meshes.computeIfAbsent(object.mesh(), source -> mesh(source, warning));
-            vertices += mesh.vertices();
+            List<MeshSource.Part> parts = meshes.computeIfAbsent(
+                    object.mesh(), source -> load(source, warning).parts());
+            vertices += parts.stream().mapToLong(part -> part.mesh().vertices()).sum();
             InputException.refuseIf(
                     scene.objects().size() > 1 && vertices > MOST_VERTICES,
                     "the scene's objects have more than " + MOST_VERTICES
                             + " vertices together; simplify their meshes");
             Body body = bodies.computeIfAbsent(inputsOfBody(object), inputs -> body(object, cache));
-            things.add(new Thing(mesh, body, place(object, mesh)));
+            List<MeshSource.Part> placed = inModel(object, parts);
+            for (int i = 0; i < parts.size(); i++) {
+                things.add(new Thing(
+                        object.current(), parts.get(i), body, placed.get(i).place()));
+            }
         }
         boolean sharesEnvironment =
                 previous != null && before.get(SceneSettings.ENVIRONMENT).equals(scene.get(SceneSettings.ENVIRONMENT));
         Optional<RadianceMap> environment = sharesEnvironment ? previous.environment : environment(scene);
-        if (previous != null && sharesPlaces(things, previous.things)) {
+        List<MeshSource.Part> inModel = inModel(things);
+        // Arrays of meshes are compared as objects.
+        if (previous != null && inModel.equals(inModel(previous.things))) {
             return new SceneShape(things, previous.whole, previous.sky, environment);
         }
-        Mesh whole = Mesh.joined(
-                things.stream().map(Thing::mesh).toList(),
-                things.stream().map(Thing::toModel).toList());
+        Mesh whole = Mesh.joined(inModel);
         Supplier<SkyVisibility> computed = () -> SkyVisibility.of(whole, cache);
         Supplier<SkyVisibility> sky = scene.occludesSky() ? BackgroundTask.start(computed)::get : computed;
         return new SceneShape(things, whole, sky, environment);
@@ -89,35 +107,35 @@ public record SceneShape(
 
     /** Loads all meshes of a scene, at their places in the model, without textures. */
     public static Mesh wholeMesh(Scene scene, Consumer<String> warning) {
-        List<Mesh> meshes = new ArrayList<>();
-        List<Matrix4fc> places = new ArrayList<>();
-        for (Scene object : scene.perObject()) {
-            Mesh mesh = mesh(object.mesh(), warning);
-            meshes.add(mesh);
-            places.add(place(object, mesh));
-        }
-        return Mesh.joined(meshes, places);
+        return Mesh.joined(scene.perObject().stream()
+                .flatMap(object -> inModel(object, load(object.mesh(), warning).parts()).stream())
+                .toList());
     }
 
-    private static Matrix4fc place(Scene object, Mesh mesh) {
+    /** Returns the parts of an object's mesh at its place in the model. */
+    private static List<MeshSource.Part> inModel(Scene object, List<MeshSource.Part> parts) {
+        Mesh mesh = Mesh.joined(parts);
         double longest = Math.max(mesh.side(0), Math.max(mesh.side(1), mesh.side(2)));
-        return object.placement().toModel(mesh.toVertexData().bounds(), longest);
+        Matrix4f toModel = object.placement().toModel(mesh.toVertexData().bounds(), longest);
+        InputException.refuseIf(
+                !MeshSource.isInvertible(toModel.determinant3x3()),
+                "an object's size is more than 1e12 times larger or smaller than its mesh, "
+                        + object.mesh().name() + ", of " + Lengths.rounded(longest, 3));
+        return parts.stream()
+                .map(part -> new MeshSource.Part(part.mesh(), toModel.mul(part.place(), new Matrix4f())))
+                .toList();
     }
 
-    /** Compares meshes as objects: comparing triangles would take as long as loading them. */
-    private static boolean sharesPlaces(List<Thing> things, List<Thing> others) {
-        boolean isSame = things.size() == others.size();
-        for (int i = 0; isSame && i < things.size(); i++) {
-            isSame = SceneSharing.isSame(things.get(i).mesh, others.get(i).mesh)
-                    && things.get(i).toModel.equals(others.get(i).toModel);
-        }
-        return isSame;
+    private static List<MeshSource.Part> inModel(List<Thing> things) {
+        return things.stream()
+                .map(thing -> new MeshSource.Part(thing.mesh(), thing.toModel))
+                .toList();
     }
 
-    private static Mesh mesh(MeshSource source, Consumer<String> warning) {
+    private static MeshSource.Loaded load(MeshSource source, Consumer<String> warning) {
         MeshSource.Loaded read = source.load();
         read.warnings().forEach(warning);
-        return read.mesh();
+        return read;
     }
 
     private static List<Object> inputsOfBody(Scene object) {

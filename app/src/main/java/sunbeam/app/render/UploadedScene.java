@@ -88,12 +88,12 @@ final class UploadedScene implements AutoCloseable {
         List<TransformGroup> model = new ArrayList<>();
         for (int i = 0; i < bodies.size(); i++) {
             Thing thing = meshes.shape.things().get(i);
-            double rotation = scene.objects().get(i).settings().get(SceneSettings.ROTATE_PATCH);
+            double rotation = scene.objects().get(thing.object()).settings().get(SceneSettings.ROTATE_PATCH);
             Material material = bodies.get(i)
                     .material()
                     .turned(rotation)
-                    .with("firstPatch", SceneData.patchNumber(looks.get(i), 0))
-                    .with("objectNumber", i);
+                    .with("firstPatch", SceneData.patchNumber(looks.get(thing.object()), 0))
+                    .with("objectNumber", thing.object());
             model.add(new TransformGroup(
                     thing.toModel(),
                     new Shape(meshes.buffers.get(i), thing.mesh().closed(), material)));
@@ -156,7 +156,7 @@ final class UploadedScene implements AutoCloseable {
     /**
      * Meshes of a scene.
      *
-     * @param buffers one for each object; equal meshes share one unless they have the visible share of the sky per vertex
+     * @param buffers one for each thing; equal meshes share one unless they have the visible share of the sky per vertex
      * @param bounds sphere around the model, model space
      * @param ground ground below the model; present if the meshes have the visible share of the sky per vertex
      */

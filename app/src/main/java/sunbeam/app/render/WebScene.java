@@ -93,6 +93,9 @@ public record WebScene(Map<String, Object> fields, byte[] columns, Map<String, B
     public static WebScene of(SceneData data, double exposure) {
         Scene scene = data.scene();
         SceneShape shape = data.shape();
+        InputException.refuseIf(
+                shape.things().size() > 1,
+                "mesh " + scene.mesh().name() + " places a mesh several times, and a page holds one; join them");
         Thing thing = shape.things().get(0);
         BoundingSphere bounds = shape.bounds();
         SkyVisibility sky = scene.occludesSky() ? shape.sky().get() : null;

@@ -13,8 +13,10 @@ import de.javagl.jgltf.impl.v2.TextureInfo;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -40,7 +42,8 @@ final class GltfFile {
 
     private final GlTF gltf;
     private final GltfAccessors accessors;
-    private final RawMesh.Builder mesh = new RawMesh.Builder();
+    private final Map<Integer, List<Matrix4d>> places = new LinkedHashMap<>();
+    private RawMesh.Builder mesh = new RawMesh.Builder();
     private int primitives;
 
     private GltfFile(Path file, GltfDocument document) {
@@ -48,8 +51,27 @@ final class GltfFile {
         this.accessors = new GltfAccessors(file, document);
     }
 
-    static RawMesh read(Path file) throws IOException {
-        return new GltfFile(file, GltfDocument.read(file)).mesh();
+    static Content read(Path file) throws IOException {
+        GltfFile read = new GltfFile(file, GltfDocument.read(file));
+        RawMesh whole = read.mesh();
+        return new Content(whole, read.parts());
+    }
+
+    /** All meshes at their places; and each by itself, with its places, if one has several. */
+    record Content(RawMesh whole, Map<RawMesh, List<Matrix4d>> parts) {}
+
+    private Map<RawMesh, List<Matrix4d>> parts() throws IOException {
+        if (places.values().stream().allMatch(all -> all.size() == 1)) {
+            return Map.of();
+        }
+        Map<RawMesh, List<Matrix4d>> parts = new LinkedHashMap<>();
+        for (Integer index : places.keySet()) {
+            mesh = new RawMesh.Builder();
+            add(gltf.getMeshes().get(index), new Matrix4d());
+            parts.put(mesh.build().withoutDegenerate(), places.get(index));
+        }
+        parts.keySet().removeIf(part -> part.cornerCount() == 0);
+        return parts;
     }
 
     private record PendingNode(Integer node, Matrix4d parent) {}
@@ -92,7 +114,10 @@ final class GltfFile {
 
     private Matrix4d local(Integer number, Node node) {
         if (node.getMatrix() != null) {
-            return new Matrix4d().set(node.getMatrix());
+            Matrix4d matrix = new Matrix4d().set(node.getMatrix());
+            InputException.refuseIf(
+                    !matrix.isAffine(), "node " + number + " has a matrix that is not affine; export it again");
+            return matrix;
         }
         float[] move = Objects.requireNonNullElse(node.getTranslation(), node.defaultTranslation());
         float[] turn = Objects.requireNonNullElse(node.getRotation(), node.defaultRotation());
@@ -117,6 +142,11 @@ final class GltfFile {
         InputException.refuseIf(
                 weights != null && weights.stream().anyMatch(weight -> weight != 0),
                 "node " + number + " is moved by the weights of targets; apply them and export it again");
+        places.computeIfAbsent(node.getMesh(), index -> new ArrayList<>()).add(place);
+        add(placed, place);
+    }
+
+    private void add(de.javagl.jgltf.impl.v2.Mesh placed, Matrix4d place) throws IOException {
         for (MeshPrimitive primitive : Objects.requireNonNullElse(placed.getPrimitives(), List.<MeshPrimitive>of())) {
             add(primitive, place);
         }

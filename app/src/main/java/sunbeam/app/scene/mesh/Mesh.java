@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import jrtr.VertexData;
+import org.joml.Matrix3f;
 import org.joml.Matrix4fc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -48,11 +49,12 @@ public record Mesh(
         return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
     }
 
-    /** Joins meshes, each moved by a matrix that keeps its shape; without tangents and texture coordinates if there are several. */
-    public static Mesh joined(List<Mesh> meshes, List<? extends Matrix4fc> places) {
-        if (meshes.size() == 1 && (places.get(0).properties() & Matrix4fc.PROPERTY_IDENTITY) != 0) {
-            return meshes.get(0);
+    /** Joins meshes at their places, without tangents and texture coordinates if there are several. */
+    public static Mesh joined(List<MeshSource.Part> parts) {
+        if (parts.size() == 1 && (parts.get(0).place().properties() & Matrix4fc.PROPERTY_IDENTITY) != 0) {
+            return parts.get(0).mesh();
         }
+        List<Mesh> meshes = parts.stream().map(MeshSource.Part::mesh).toList();
         int vertices = meshes.stream().mapToInt(Mesh::vertices).sum();
         float[] positions = new float[3 * vertices];
         float[] normals = new float[3 * vertices];
@@ -61,16 +63,19 @@ public record Mesh(
         Vector3f vector = new Vector3f();
         int vertex = 0;
         int corner = 0;
-        for (int i = 0; i < meshes.size(); i++) {
-            Mesh mesh = meshes.get(i);
-            for (int index : mesh.indices) {
-                indices[corner++] = vertex + index;
+        for (MeshSource.Part part : parts) {
+            Mesh mesh = part.mesh();
+            Matrix3f toNormal = part.place().normal(new Matrix3f());
+            boolean isMirrored = part.place().determinant3x3() < 0;
+            for (int j = 0; j < mesh.indices.length; j++) {
+                // A mirror exchanges clockwise and counter-clockwise.
+                indices[corner++] = vertex + mesh.indices[isMirrored ? j + 2 - 2 * (j % 3) : j];
             }
             for (int j = 0; j < mesh.positions.length; j += 3) {
                 vector.set(mesh.positions[j], mesh.positions[j + 1], mesh.positions[j + 2]);
-                put(places.get(i).transformPosition(vector), positions, 3 * vertex + j);
+                put(part.place().transformPosition(vector), positions, 3 * vertex + j);
                 vector.set(mesh.normals[j], mesh.normals[j + 1], mesh.normals[j + 2]);
-                put(places.get(i).transformDirection(vector).normalize(), normals, 3 * vertex + j);
+                put(toNormal.transform(vector).normalize(), normals, 3 * vertex + j);
             }
             vertex += mesh.vertices();
         }

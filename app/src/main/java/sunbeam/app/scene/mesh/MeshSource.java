@@ -8,11 +8,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.joml.Matrix4d;
+import org.joml.Matrix4f;
+import org.joml.Matrix4fc;
 import org.joml.Vector3d;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Text;
@@ -56,8 +60,19 @@ public record MeshSource(String name, Unit unit) {
         }
     }
 
-    /** Mesh with a line for each kind of data that the reader dropped, moved or computed. */
-    public record Loaded(Mesh mesh, List<String> warnings) {}
+    /**
+     * Mesh with a line for each kind of data that the reader dropped, moved or computed.
+     *
+     * @param parts meshes that together are the mesh; several if a file places one of its meshes several times
+     */
+    public record Loaded(Mesh mesh, List<Part> parts, List<String> warnings) {
+        Loaded(Mesh mesh, List<String> warnings) {
+            this(mesh, List.of(new Part(mesh, new Matrix4f())), warnings);
+        }
+    }
+
+    /** A mesh at a place, to which an affine, invertible matrix leads; one mesh, as an object, may have several places. */
+    public record Part(Mesh mesh, Matrix4fc place) {}
 
     public static MeshSource of(String name) {
         return new MeshSource(name, Unit.M);
@@ -84,19 +99,19 @@ public record MeshSource(String name, Unit unit) {
     }
 
     /** Throws an {@link InputException} for damaged files; the message does not name the file. */
-    private static RawMesh parse(Path file) throws IOException {
+    private static GltfFile.Content parse(Path file) throws IOException {
         String head;
         try (InputStream stream = Files.newInputStream(file)) {
             head = new String(stream.readNBytes(HEAD_BYTES), StandardCharsets.ISO_8859_1);
         }
         if (head.startsWith("ply\n") || head.startsWith("ply\r")) {
-            return PlyFile.read(file);
+            return new GltfFile.Content(PlyFile.read(file), Map.of());
         }
         // In Latin-1; a byte order mark in UTF-8 may precede JSON.
         boolean isGltf = head.startsWith(GltfDocument.MAGIC)
                 || head.replaceFirst("^\u00ef\u00bb\u00bf", "").strip().startsWith("{");
         // OBJ has no signature.
-        return isGltf ? GltfFile.read(file) : ObjFile.read(file);
+        return isGltf ? GltfFile.read(file) : new GltfFile.Content(ObjFile.read(file), Map.of());
     }
 
     static void requireSize(Path file) throws IOException {
@@ -108,11 +123,11 @@ public record MeshSource(String name, Unit unit) {
     /** Reads a file of at most 512 MiB, 2 million positions and 2 million triangles. */
     static Loaded read(Path file, Unit unit) {
         InputException.requireRegular(file);
-        RawMesh raw = InputException.naming(file, () -> {
-                    requireSize(file);
-                    return parse(file);
-                })
-                .scaled(unit.meters);
+        GltfFile.Content content = InputException.naming(file, () -> {
+            requireSize(file);
+            return parse(file);
+        });
+        RawMesh raw = content.whole().scaled(unit.meters);
         List<String> warnings = new ArrayList<>();
         Consumer<String> warning = line -> warnings.add(file + ": " + line);
         RawMesh mesh = raw.withoutDegenerate();
@@ -127,11 +142,38 @@ public record MeshSource(String name, Unit unit) {
         far.ifPresent(center -> warning.accept(Text.format(
                 "it lies far from the origin, so its center (%.3f, %.3f, %.3f) m is moved there",
                 center.x, center.y, center.z)));
-        return new Loaded(complete(far.map(mesh::centered).orElse(mesh), unit, warning), warnings);
+        Mesh whole = complete(far.map(mesh::centered).orElse(mesh), unit, warning);
+        List<Part> parts = far.isEmpty() ? parts(content.parts(), unit) : List.of();
+        boolean areDrawable =
+                parts.stream().map(part -> part.place().determinant3x3()).allMatch(MeshSource::isInvertible);
+        return parts.isEmpty() || !areDrawable ? new Loaded(whole, warnings) : new Loaded(whole, parts, warnings);
+    }
+
+    /** Returns no parts if a mesh lacks texture coordinates, which the whole gets, or lies too far from its own origin for float32. */
+    private static List<Part> parts(Map<RawMesh, List<Matrix4d>> placed, Unit unit) {
+        if (placed.keySet().stream().anyMatch(mesh -> mesh.farCenter().isPresent() || isPlanar(mesh))) {
+            return List.of();
+        }
+        List<Part> parts = new ArrayList<>();
+        placed.forEach((raw, places) -> {
+            Mesh mesh = new VertexAssembly(raw, false).assemble(line -> {});
+            places.forEach(place -> parts.add(new Part(
+                    mesh, new Matrix4f(new Matrix4d().scaling(unit.meters).mul(place)))));
+        });
+        return parts;
+    }
+
+    /** True for the volume of a unit cube under a matrix whose inverse float32 can hold. */
+    public static boolean isInvertible(float volume) {
+        return Math.abs(volume) >= Float.MIN_NORMAL && Math.abs(volume) <= 1 / Float.MIN_NORMAL;
+    }
+
+    private static boolean isPlanar(RawMesh mesh) {
+        return IntStream.range(0, mesh.cornerCount()).anyMatch(corner -> mesh.textureCoordinate(corner) < 0);
     }
 
     private static Mesh complete(RawMesh mesh, Unit unit, Consumer<String> warning) {
-        boolean planar = IntStream.range(0, mesh.cornerCount()).anyMatch(corner -> mesh.textureCoordinate(corner) < 0);
+        boolean planar = isPlanar(mesh);
         if (planar) {
             warning.accept("texture coordinates are missing; they are taken from above (x, y)");
         }

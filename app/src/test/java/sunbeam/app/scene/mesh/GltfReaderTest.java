@@ -14,6 +14,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -133,6 +134,52 @@ class GltfReaderTest extends MeshReading {
         assertThat(mesh.side(0)).isCloseTo(5.5, within(1e-5));
         assertThat(mesh.side(2)).as("the turned one is upright").isCloseTo(1, within(1e-5));
         assertThat(read(instanced("\"TRANSLATION\":5")).mesh().side(0)).isCloseTo(5, within(1e-5));
+    }
+
+    @Test
+    void aMeshAtSeveralPlacesIsOneObject() throws IOException {
+        String twice = "\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"matrix\":[-2,0,0,0,0,1,0,0,0,0,1,0,5,0,0,1]}]";
+        for (String text : List.of(
+                instanced("\"TRANSLATION\":5,\"ROTATION\":6,\"SCALE\":7"),
+                GOOD.replace("\"nodes\":[0]", "\"nodes\":[0,1]").replace("\"nodes\":[{\"mesh\":0}]", twice))) {
+            MeshSource.Loaded read = read(text);
+            Mesh joined = Mesh.joined(read.parts());
+
+            assertThat(read.parts()).hasSizeGreaterThan(1);
+            assertThat(read.parts())
+                    .extracting(MeshSource.Part::mesh)
+                    .containsOnly(read.parts().get(0).mesh());
+            // Float32 coordinates of order 5.
+            for (int triangle = 0; triangle < joined.indices().length; triangle += 3) {
+                assertThat(areaNormal(joined, triangle).distance(areaNormal(read.mesh(), triangle)))
+                        .as("area and front")
+                        .isLessThan(1e-5);
+                assertThat(sum(joined, joined.positions(), triangle)
+                                .distance(sum(read.mesh(), read.mesh().positions(), triangle)))
+                        .isLessThan(1e-5);
+                assertThat(sum(joined, joined.normals(), triangle)
+                                .distance(sum(read.mesh(), read.mesh().normals(), triangle)))
+                        .isLessThan(1e-5);
+            }
+        }
+        assertThat(read(GOOD).parts()).hasSize(1);
+    }
+
+    /** Sum over a triangle's corners. */
+    private static Vector3d sum(Mesh mesh, float[] values, int first) {
+        Vector3d sum = new Vector3d();
+        for (int corner = first; corner < first + 3; corner++) {
+            sum.add(Mesh.vector(values, mesh.indices()[corner]));
+        }
+        return sum;
+    }
+
+    private static Vector3d areaNormal(Mesh mesh, int first) {
+        Vector3d origin = Mesh.vector(mesh.positions(), mesh.indices()[first]);
+        Vector3d along =
+                Mesh.vector(mesh.positions(), mesh.indices()[first + 1]).sub(origin);
+        return along.cross(
+                Mesh.vector(mesh.positions(), mesh.indices()[first + 2]).sub(origin));
     }
 
     @ParameterizedTest
