@@ -230,7 +230,9 @@ void main() {
 #endif
             float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
             vec3 xyz = blended(visible * diffracted, albedo, visible * wi.z, reflectance, ambient);
-            xyz += visible * lightGloss(wi, wr, seen.w) * (LINEAR_SRGB_TO_XYZ * vec3(1.0));
+            for (bool mirrored = isEnvironment == 0.0; mirrored; mirrored = false) {
+                xyz += visible * lightGloss(wi, wr, seen.w) * (LINEAR_SRGB_TO_XYZ * vec3(1.0));
+            }
             sum += parts * lightTexel(light, LIGHT_COLOR).rgb * (XYZ_TO_LINEAR_SRGB * xyz);
         }
     }

@@ -18,6 +18,8 @@ uniform float mostTaps;
 // 0 to mix two levels under a wide light, so that the mean of both has its variance; more to read one level alone, the next if the fitting one
 // lacks less than this share of a level.
 uniform float levelRounding;
+// Variance of a light over that of its region of an environment, so that a row of lights is even; 1 for lights that stand alone.
+uniform float lightOverlap;
 // Number of samples of the mesh along a pixel's side; the pixel is the mean of its samples.
 uniform float samplesAcross;
 
@@ -44,15 +46,17 @@ const float POINT = 0.06;
 Footprint footprintOf(vec3 uvw, vec3 du, vec3 dv, vec3 wi, float lightVariance, vec3 stretch, float next) {
     // Squared lengths of the axes: eigenvalues of du du^T + dv dv^T, which is twelve times the covariance of a uniform parallelogram, and of
     // that of the light.
-    float light = 12.0 * lightVariance;
-    vec3 longer = sqrt(12.0) * stretch;
+    // Relief moves (u, v) by its slopes times w, along both axes alike (Toksvig 2005; Olano and Baker 2010); what it blurs needs no overlap.
+    float blurred = (slopeVariance + tabulatedSlopeVariance) * uvw.z * uvw.z;
+    float overlap = max(1.0, lightOverlap - blurred / max(lightVariance, 1e-12));
+    float light = 12.0 * overlap * lightVariance;
+    vec3 longer = sqrt(12.0 * overlap) * stretch;
     float squareU = du.x * du.x + dv.x * dv.x + longer.x * longer.x + light * (1.0 - wi.x * wi.x);
     float squareV = du.y * du.y + dv.y * dv.y + longer.y * longer.y + light * (1.0 - wi.y * wi.y);
     float difference = 0.5 * (squareU - squareV);
     float mixed = du.x * du.y + dv.x * dv.y + longer.x * longer.y - light * wi.x * wi.y;
     float middle = 0.5 * (squareU + squareV);
     float root = sqrt(difference * difference + mixed * mixed);
-    // Relief moves (u, v) by its slopes times w, along both axes alike (Toksvig 2005; Olano and Baker 2010).
     float relief = 12.0 * slopeVariance * uvw.z * uvw.z;
     float majorSquare = middle + root + relief;
     float minorSquare = max(middle - root, 0.0) + relief;

@@ -19,6 +19,7 @@ import sunbeam.app.render.PartSum;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.environment.LightTree;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -59,6 +60,12 @@ public record Certificate(
             return new Limits(
                     Math.max(tolerance, ANTI_ALIASED.median), Double.POSITIVE_INFINITY, ANTI_ALIASED.meanDifference);
         }
+
+        /** Limits under an environment: its lights may err as much as the rest (LightCount), independently of it. */
+        public static final Limits UNDER_ENVIRONMENT = new Limits(
+                Math.sqrt(2) * ANTI_ALIASED.median,
+                Double.POSITIVE_INFINITY,
+                Math.sqrt(2) * ANTI_ALIASED.meanDifference);
 
         /** Limits of a tolerance: the median may reach it, the 95th percentile three times it. */
         public static Limits of(double tolerance) {
@@ -203,8 +210,7 @@ public record Certificate(
 
     /**
      * Compares pixels that the mesh fills with the mean of many points; at edges only the number of samples decides. Where relief is finer
-     * than a pixel, or an environment shines, each point is a mean over many slopes or lights: pixels are compared with fewer first, and
-     * under an environment, whose lights are drawn at random, with more while they differ.
+     * than a pixel, or an environment shines, each point is a mean over many slopes or lights: pixels are compared with fewer first.
      */
     public record SceneCertifier(int width, int height, PixelSamples samples, ProgressDisplay display) {
         /** Points along a pixel's side; 256 in all. */
@@ -212,9 +218,6 @@ public record Certificate(
         // Points of half the side see half the slopes each: an eighth of the time. Their mean errs by 0.2 % in the
         // median.
         private static final int FEW_POINTS = POINTS / 2;
-        // Sharp orders of a few lights of an environment: the mean of POINTS errs by 20 %, of three times their side by
-        // 2.5 %.
-        private static final int MOST_POINTS = 4 * POINTS;
         // Tries per compared pixel: the mesh may fill few.
         private static final int MOST_TRIES = 200;
 
@@ -224,6 +227,7 @@ public record Certificate(
          */
         public Certificate certify(
                 PartSum drawn, Scene scene, PartSum exact, Scene points, double exposure, int count) {
+            int most = most(points);
             SplittableRandom random = new SplittableRandom(SEED);
             List<Comparison> compared = new ArrayList<>();
             try (Progress progress = display.start("Certificate", count)) {
@@ -237,15 +241,18 @@ public record Certificate(
                     }
                 }
             }
-            String fewer = first(points) < most(points)
+            String fewer = first(points) < most
                     ? Text.format(
-                            " (of %d or more if these differ by less than %.0f %%)",
+                            " (of %d if these differ by less than %.0f %%)",
                             FEW_POINTS * FEW_POINTS, 100 * Limits.ANTI_ALIASED.median())
                     : "";
+            String lights =
+                    isUnderFinest(points) ? Text.format(" under %d regions of the environment", LightTree.FINEST) : "";
             String places = Text.format(
-                    "%d random pixels that the mesh fills, beside the mean of %d points in each%s",
-                    compared.size(), most(points) * most(points), fewer);
-            return ofPixels(places, compared, exposure, Limits.ANTI_ALIASED);
+                    "%d random pixels that the mesh fills, beside the mean of %d points in each%s%s",
+                    compared.size(), most * most, fewer, lights);
+            Limits limits = points.hasEnvironment() ? Limits.UNDER_ENVIRONMENT : Limits.ANTI_ALIASED;
+            return ofPixels(places, compared, exposure, limits);
         }
 
         /** Returns the first number of points along a side: few where each is a mean over slopes or lights itself. */
@@ -254,7 +261,12 @@ public record Certificate(
         }
 
         private static int most(Scene points) {
-            return points.hasEnvironment() ? MOST_POINTS : POINTS;
+            return isUnderFinest(points) ? FEW_POINTS : POINTS;
+        }
+
+        /** True if points read the table's colors, whose own errors are stated beside: points of method full would need hours. */
+        private static boolean isUnderFinest(Scene points) {
+            return points.hasEnvironment() && points.method().isTable();
         }
 
         /** Returns empty if the mesh does not fill the pixel. */
@@ -269,12 +281,10 @@ public record Certificate(
             double[] xyz = Comparison.xyz(picture.rgba(), 0);
             // The gain is that of white, for Comparison's floor of dark pixels.
             Comparison compared = new Comparison(xyz, mean.get(), 1);
-            for (int side = 2 * first(points);
-                    side <= most(points) && compared.relative() > Limits.ANTI_ALIASED.median();
-                    side *= 2) {
-                compared = new Comparison(xyz, mean(exact, points, pixel, side).orElse(compared.exact()), 1);
-            }
-            return Optional.of(compared);
+            boolean isDoubtful = first(points) < most(points) && compared.relative() > Limits.ANTI_ALIASED.median();
+            return isDoubtful
+                    ? mean(exact, points, pixel, most(points)).map(finer -> new Comparison(xyz, finer, 1))
+                    : Optional.of(compared);
         }
 
         /** Returns the mean of a pixel's points; empty if the mesh does not fill the pixel. */

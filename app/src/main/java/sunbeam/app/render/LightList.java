@@ -124,8 +124,8 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
                 .map(light -> new Light(
                         light.towards(),
                         light.radiance().mul(intensity, new Vector3f()),
-                        OVERLAP * light.deviation(),
-                        light.stretch().mul((float) OVERLAP, new Vector3f())))
+                        light.deviation(),
+                        light.stretch()))
                 .toList();
         return SceneGraph.environment(scene, leaves).lights().stream()
                 .filter(light -> scene.ground().isEmpty() || light.towards().dot(up) > 0);
@@ -186,6 +186,11 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
     /** True for more lights than a scene has without environment. */
     boolean areMany() {
         return count() > Light.MOST;
+    }
+
+    /** True for lights of {@link LightCount#finest}, under which nothing is approximated. */
+    boolean areFinest() {
+        return count() > MOST;
     }
 
     boolean areWide() {

@@ -53,14 +53,14 @@ final class LightTexture implements AutoCloseable {
     private static final float MARGIN = 1.02f;
 
     private final RenderContext context;
-    private final FloatTexture texture;
     private final FloatTexture sky;
     private final FloatTarget noShadows;
     private final ShaderProgram program;
     // Keys are sides.
     private final Map<Integer, FloatTarget> maps = new HashMap<>();
     private final Map<Integer, Casting> drawn = new HashMap<>();
-    private final float[] texels = new float[CHANNELS * ROWS * LightList.MOST];
+    private FloatTexture texture;
+    private float[] texels;
     private Shown shown;
     private Optional<RadianceMap> shownSky = Optional.empty();
     private Vector3f horizon = new Vector3f();
@@ -72,8 +72,7 @@ final class LightTexture implements AutoCloseable {
 
     LightTexture(RenderContext context) {
         this.context = context;
-        this.texture = context.createFloatTexture(
-                "lights", FloatTexture.Spec.flat(LightList.MOST, ROWS, FloatTexture.Format.RGBA32F));
+        enlarge(LightList.MOST);
         this.sky = Resource.orClose(
                 () -> context.createFloatTexture(
                         "sky",
@@ -88,6 +87,16 @@ final class LightTexture implements AutoCloseable {
                 sky::close,
                 noShadows::close);
         sky.upload(new float[CHANNELS * SKY_SIDE * SKY_SIDE]);
+    }
+
+    private void enlarge(int columns) {
+        FloatTexture larger = context.createFloatTexture(
+                "lights", FloatTexture.Spec.flat(columns, ROWS, FloatTexture.Format.RGBA32F));
+        if (texture != null) {
+            texture.close();
+        }
+        texture = larger;
+        texels = new float[CHANNELS * ROWS * columns];
     }
 
     private static FloatTarget.Spec spec(int side) {
@@ -187,6 +196,9 @@ final class LightTexture implements AutoCloseable {
 
     private void upload(LightList lights, BoundingSphere bounds, int side, int across) {
         List<Light> all = lights.all();
+        if (all.size() > texels.length / (CHANNELS * ROWS)) {
+            enlarge(all.size());
+        }
         for (int i = 0; i < all.size(); i++) {
             Light light = all.get(i);
             put(TOWARDS, i, light.towards(), Math.pow(light.deviation(), 2));
@@ -224,7 +236,7 @@ final class LightTexture implements AutoCloseable {
 
     private void put(int row, int column, double... values) {
         for (int c = 0; c < CHANNELS; c++) {
-            texels[CHANNELS * (LightList.MOST * row + column) + c] = (float) values[c];
+            texels[(texels.length / ROWS) * row + CHANNELS * column + c] = (float) values[c];
         }
     }
 

@@ -133,7 +133,8 @@ final class SkinSurface implements AutoCloseable {
             boolean hasColors) {
         DrawRequest request = part.request();
         Scene scene = request.scene();
-        boolean areMany = texture.isPresent() && part.lights().areMany();
+        boolean areMany =
+                texture.isPresent() && part.lights().areMany() && !part.lights().areFinest();
         boolean areShared = areMany && part.lights().areShared() && hasColors && request.samples() % 2 == 0;
         ShaderProgram program =
                 programs.computeIfAbsent(defines(areMany, areShared), defines -> method.program("skin.frag", defines));
@@ -188,6 +189,7 @@ final class SkinSurface implements AutoCloseable {
         program.set("slopeVariance", table.slopeDeviation() > 0 ? 0 : (float) Math.pow(scene.slopeDeviation(), 2));
         program.set("pointLevels", (float) table.pointLevelCount());
         program.set("levels", table.levels().size() - table.pointLevelCount());
+        program.set("lightOverlap", scene.hasEnvironment() ? (float) Math.pow(LightList.OVERLAP, 2) : 1);
     }
 
     /**

@@ -201,15 +201,22 @@ public final class FrameSequence implements AutoCloseable {
 
     /** Compares random pixels with points of the scene by method full, and returns the exit code that the picture deserves. */
     ExitCode certify(Scene scene, int count, Map<String, Object> report, PrintWriter out, PrintWriter err) {
-        Scene points = scene.withMethod(scene.method()
-                .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, POINT_TOLERANCE)));
+        var certifier = new Certificate.SceneCertifier(width, height, samples, environment.progress());
         List<SceneSession> exact = new ArrayList<>();
         try {
-            List<SceneData> parts = new SceneLoader(environment, warning -> {}).parts(points, parts(), share -> {});
-            exact.addAll(SceneSession.all(context, parts));
-            Scene drawn = parts.get(0).scene();
-            Certificate certificate = new Certificate.SceneCertifier(width, height, samples, environment.progress())
-                    .certify(sum, scene, new PartSum(exact), drawn, exposure, count);
+            Certificate certificate;
+            if (scene.hasEnvironment() && scene.method().isTable()) {
+                certificate = certifier.certify(sum, scene, sum, LightCount.finest(scene), exposure, count);
+            } else {
+                Scene points = scene.withMethod(scene.method()
+                        .with(Choices.none()
+                                .with(Methods.METHOD, FullMethod.TYPE)
+                                .with(TOLERANCE, POINT_TOLERANCE)));
+                List<SceneData> parts = new SceneLoader(environment, warning -> {}).parts(points, parts(), share -> {});
+                exact.addAll(SceneSession.all(context, parts));
+                Scene drawn = parts.get(0).scene();
+                certificate = certifier.certify(sum, scene, new PartSum(exact), drawn, exposure, count);
+            }
             report.put("certificate", JsonOption.fields(certificate));
             // A larger --supersample does not reduce the errors of the table at the footprints of these pixels.
             List<ErrorStatistics> tables = sessions.stream()

@@ -161,11 +161,7 @@ public final class RenderCommand extends FileCommand {
             String lights = count.map(found -> "; " + found.describe()).orElse("");
             SceneData.ofRegions(parts, RenderCommand::plan)
                     .forEach(plan -> err.println(plan + "; " + samples.describe() + lights));
-            count.filter(LightCount::isMissed)
-                    .ifPresent(found -> err.println(Messages.warning(Text.format(
-                            "the environment's lights agree to a mean CIEDE2000 of %.2g, not of %.2g as the tolerance asks;"
-                                    + " smooth small lights of the map, or give roughness",
-                            found.difference(), found.limit()))));
+            count.filter(LightCount::isMissed).ifPresent(found -> err.println(Messages.warning(found.complaint())));
             List<Path> written = animation.isGiven() ? animate(frames, scenes, target) : draw(frames, scene, target);
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("scene", sceneName);

@@ -18,8 +18,11 @@ import org.joml.Vector3fc;
  * lights add up to an even radiance. The regions of a coarse division are sums of those of a finer one.
  */
 public final class LightTree {
-    /** Most regions. */
+    /** Most regions of a picture. */
     public static final int MOST = 2048;
+
+    /** Most regions, with which certificates compare. */
+    public static final int FINEST = 8 * MOST;
 
     // Halvings of the octahedral map along either axis; a pixel of the largest map is wider.
     private static final int BITS = 14;

@@ -135,7 +135,7 @@ public final class RadianceMap {
     /** Returns lights that together stand for the map. */
     public synchronized LightTree lights() {
         if (tree == null) {
-            tree = LightTree.of(this, LightTree.MOST);
+            tree = LightTree.of(this, LightTree.FINEST);
         }
         return tree;
     }
