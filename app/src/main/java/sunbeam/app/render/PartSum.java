@@ -208,7 +208,7 @@ public record PartSum(List<SceneSession> sessions) {
                     Tile tile = new Tile(x, y, right - x, bottom - y);
                     var request = new DrawRequest(
                             own, width, height, tile, 1, stride, stride, false, Optional.empty(), alone);
-                    light.put(light(parts, request, SceneSession::drawResident), few.x(), few.y());
+                    light.put(light(parts, request, PartSum::drawResident), few.x(), few.y());
                 });
                 if (!isWhole) {
                     return Optional.empty();
@@ -221,6 +221,12 @@ public record PartSum(List<SceneSession> sessions) {
             looks.add(ScenePicture.sum(lit));
         }
         return Optional.of(ScenePicture.joined(looks));
+    }
+
+    /** Draws from resident tiles, from those of the coarsest level alone where one is missing. */
+    private static ScenePicture drawResident(SceneSession session, DrawRequest request) {
+        ScenePicture part = session.drawResident(request);
+        return PackedShading.isMissing(part.rgba()) ? session.drawResident(request.coarsest()) : part;
     }
 
     private static ScenePicture light(

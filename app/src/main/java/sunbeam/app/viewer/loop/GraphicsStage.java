@@ -230,13 +230,18 @@ public final class GraphicsStage implements Stage {
         return current.sum()
                 .coarse(few, state.width(), state.height(), stride, white, current.tiles, interrupted)
                 .map(picture -> {
-                    exposures.storeFirst(
-                            scene(), state.metering(), () -> picture.reduced(1).linear());
+                    boolean hasColors = coarsestShare() == 1;
+                    if (hasColors) {
+                        exposures.storeFirst(
+                                scene(),
+                                state.metering(),
+                                () -> picture.reduced(1).linear());
+                    }
                     double exposure = exposureSoFar();
                     double side = samples().side();
                     double seconds = side * side * state.width() * state.height() * current.tiles.secondsPerPixel();
                     BufferedImage image = PixelPicture.image(picture, scene().display(exposure), scene().background());
-                    return new Preview(image, stride, true, exposure, seconds, lights(few));
+                    return new Preview(image, stride, hasColors, exposure, seconds, lights(few));
                 });
     }
 
