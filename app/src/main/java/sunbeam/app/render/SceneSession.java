@@ -280,39 +280,41 @@ public final class SceneSession implements AutoCloseable {
 
     /** Draws a moving picture of a scene; without its diffraction before the first {@link #update(SceneData)}. */
     public BufferedImage body(Scene scene, int width, int height, double exposure) {
-        SkinGeometry geometry = uploaded.geometry(scene, width, height);
-        LightList list = LightList.moving(scene, environment());
-        LightTexture lights = uploaded.lights(geometry, list, true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        // Direct writes end Swing's acceleration, from which an image that is painted once gains nothing.
-        int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
-        int standIn = drawMoving(scene, geometry, list, lights, picture, exposure);
-        // The whole picture reads the level that stands in somewhere, so that no tile has an edge.
+        drawMoving(scene, image, exposure, 0);
+        return image;
+    }
+
+    /** Draws a moving picture whose tiles have no edges: all of it reads the level that stands in for others where tiles are missing. */
+    public BufferedImage still(int width, int height, double exposure) {
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        int standIn = drawMoving(scene(), image, exposure, 0);
         while (standIn > 0) {
-            virtualTexture().orElseThrow().coarsen(standIn);
-            standIn = drawMoving(scene, geometry, list, lights, picture, exposure);
+            standIn = drawMoving(scene(), image, exposure, standIn);
         }
         return image;
     }
 
-    /** Draws all blocks; returns the coarsest level that stands in for a finer one of which tiles are missing, 0 for none. */
-    private int drawMoving(
-            Scene scene, SkinGeometry geometry, LightList list, LightTexture lights, int[] picture, double exposure) {
-        int width = geometry.width();
-        int standIn = 0;
-        for (SceneBlocks.Piece piece : SceneBlocks.split(width, geometry.height())) {
+    /** Draws a picture from a level on; returns the level that stands in for finer ones ({@link StandIns}). */
+    private int drawMoving(Scene scene, BufferedImage image, double exposure, int leastLevel) {
+        int width = image.getWidth();
+        SkinGeometry geometry = uploaded.geometry(scene, width, image.getHeight());
+        LightList list = LightList.moving(scene, environment());
+        LightTexture lights = uploaded.lights(geometry, list, true);
+        // Direct writes end Swing's acceleration, from which an image that is painted once gains nothing.
+        int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        StandIns standIns = new StandIns();
+        for (SceneBlocks.Piece piece : SceneBlocks.split(width, image.getHeight())) {
             GeometryBuffer buffer = drawn(Layout.MOVING, geometry, piece.block());
             int[] part = skin.drawMoving(
-                    scene, uploaded.ground(scene), geometry, list, lights, buffer, piece.block(), exposure);
-            for (int pixel : part) {
-                standIn = Math.max(standIn, 255 - (pixel >>> 24));
-            }
+                    scene, uploaded.ground(scene), geometry, list, lights, buffer, piece.block(), exposure, leastLevel);
+            standIns.add(part);
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
             }
         }
-        return standIn;
+        return standIns.level();
     }
 
     /** The patch's x axis, 3 values per pixel in world space, top row first; zeros without skin. */

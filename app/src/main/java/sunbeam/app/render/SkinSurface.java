@@ -206,7 +206,8 @@ final class SkinSurface implements AutoCloseable {
             LightTexture inMemory,
             GeometryBuffer buffer,
             Tile block,
-            double exposure) {
+            double exposure,
+            int leastLevel) {
         List<Light> lights = list.all().subList(0, Math.min(Light.MOST, list.count()));
         int taps = context.info().software() ? MOVING_SOFTWARE_TAPS : MOVING_HARDWARE_TAPS;
         ShaderProgram moving = movingPrograms.computeIfAbsent(
@@ -224,7 +225,7 @@ final class SkinSurface implements AutoCloseable {
                 .orElse(0));
         texture.ifPresent(tiles -> {
             setFootprints(moving, tiles.table(), scene);
-            moving.set("leastLevel", (float) tiles.leastLevel());
+            moving.set("leastLevel", (float) leastLevel);
             moving.set("mostTaps", (float) taps);
             moving.set("levelRounding", 0f);
             moving.set("samplesAcross", 1f);

@@ -29,7 +29,6 @@ public final class VirtualTexture implements AutoCloseable {
     private final CachedBaker.PrefetchSet prefetchSet;
     private final Footprints.Sample sample = new Footprints.Sample();
     private TileSet requested;
-    private int leastLevel;
     private Optional<Scheduler> scheduler = Optional.empty();
     // Whether the cache has the whole table; checked by the scheduler's executor.
     private CompletableFuture<Boolean> isCached = CompletableFuture.completedFuture(false);
@@ -139,7 +138,6 @@ public final class VirtualTexture implements AutoCloseable {
 
     /** Sets whether something moves; then only the coarsest level is baked, so that drawing has the processors. */
     public void interactive(boolean value) {
-        leastLevel = value ? leastLevel : 0;
         scheduler.ifPresent(running -> running.interactive(value));
     }
 
@@ -149,7 +147,6 @@ public final class VirtualTexture implements AutoCloseable {
         for (Optional<Scheduler.BakedTiles> baked = poll(); baked.isPresent(); baked = poll()) {
             residency.add(baked.get());
             hasNew = true;
-            leastLevel = 0;
         }
         return hasNew;
     }
@@ -250,16 +247,6 @@ public final class VirtualTexture implements AutoCloseable {
     /** Resident share of the last request's tiles, 0 to 1. */
     public double requestedShare() {
         return residency.share(requested);
-    }
-
-    /** Returns the finest level that moving pictures read. */
-    public int leastLevel() {
-        return leastLevel;
-    }
-
-    /** Lets moving pictures read no finer level until more tiles are resident or nothing moves. */
-    public void coarsen(int level) {
-        leastLevel = level;
     }
 
     /** Returns the textures by sampler name; valid until more tiles become resident. */

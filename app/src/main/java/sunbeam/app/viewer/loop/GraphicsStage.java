@@ -135,7 +135,7 @@ public final class GraphicsStage implements Stage {
         lights = SceneSession.MOVING_LIGHTS;
         if (isByTable()) {
             long start = current.pixelClock();
-            Preview preview = byTable(current.scale.divisor());
+            Preview preview = byTable(current.scale.divisor(), false);
             current.scale.frame(current.pixelClock() - start);
             return Optional.of(preview);
         }
@@ -160,15 +160,18 @@ public final class GraphicsStage implements Stage {
         if (!isByTable() || !hasCoarsest()) {
             return Optional.empty();
         }
-        return Optional.of(byTable(1));
+        return Optional.of(byTable(1, true));
     }
 
-    private Preview byTable(double divisor) {
+    private Preview byTable(double divisor, boolean isStill) {
         if (hasCoarsest()) {
             meter(() -> false);
         }
         double exposure = exposureSoFar();
-        BufferedImage image = current.parts.get(0).moving(state.width(), state.height(), divisor, exposure);
+        SceneSession part = current.parts.get(0);
+        BufferedImage image = isStill
+                ? part.still(state.width(), state.height(), exposure)
+                : part.moving(state.width(), state.height(), divisor, exposure);
         return new Preview(image, divisor, hasCoarsest(), exposure, 0, OptionalInt.empty());
     }
 

@@ -80,22 +80,40 @@ class GraphicsStageTest {
 
     @Test
     @NeedsDisplay
-    void noTileHasAnEdgeInAPreviewBecauseAllOfALevelIsReadOrNothing() throws InterruptedException {
+    void whileTilesArriveAPictureAtRestReadsAllOfALevelOrNothing() throws InterruptedException {
         try (GraphicsStage stage = new GraphicsStage()) {
             LoadedScene loaded = updateToCoarsest(stage);
             int[] coarse = pixels(stage.byTiles().orElseThrow());
+            // Lights come nearer until a third of the tiles are resident.
             Scene scene = loaded.firstPart().scene();
-            show(stage, loaded.with(scene.withLight(scene.light().pointing(new Vector3f(0.5f, -0.4f, -0.42f)))));
-            assertThat(stage.request(() -> false)).isTrue();
-            await(stage, () -> stage.requestedShare() == 1);
-            show(stage, loaded);
-            assertThat(stage.request(() -> false)).isTrue();
-            assertThat(stage.requestedShare()).isBetween(0.01, 0.99);
-            int[] partly = pixels(stage.byTiles().orElseThrow());
-            stage.prefetch();
-            await(stage, () -> !Arrays.equals(coarse, pixels(stage.byTiles().orElseThrow())));
-            assertThat(partly).isEqualTo(coarse);
+            double share = 0;
+            for (float aside = 1; share < 0.3; aside -= 0.05f) {
+                makeResident(
+                        stage,
+                        loaded.with(scene.withLight(scene.light().pointing(new Vector3f(aside, -0.6f, -0.42f)))));
+                show(stage, loaded);
+                assertThat(stage.request(() -> false)).isTrue();
+                share = stage.requestedShare();
+            }
+            int[] patchy = pixels(stage.moving(() -> false).orElseThrow());
+            int[] still = pixels(stage.byTiles().orElseThrow());
+            makeResident(stage, loaded);
+            int[] fine = pixels(stage.moving(() -> false).orElseThrow());
+            int few = WIDTH * HEIGHT / 100; // in which nobody sees an edge
+            assertThat(different(patchy, coarse)).as("tiles").isGreaterThan(few);
+            assertThat(different(patchy, fine)).as("gaps").isGreaterThan(few);
+            assertThat(different(still, coarse)).isLessThanOrEqualTo(few);
         }
+    }
+
+    private static void makeResident(GraphicsStage stage, LoadedScene loaded) throws InterruptedException {
+        show(stage, loaded);
+        assertThat(stage.request(() -> false)).isTrue();
+        await(stage, () -> stage.requestedShare() == 1);
+    }
+
+    private static long different(int[] one, int[] other) {
+        return IntStream.range(0, one.length).filter(i -> one[i] != other[i]).count();
     }
 
     private static void show(GraphicsStage stage, LoadedScene loaded) {
@@ -186,6 +204,10 @@ class GraphicsStageTest {
 
             assertThat(loaded.parts()).as("one for each look").hasSize(2);
             assertThat(moving.lights()).hasValue(SceneSession.MOVING_LIGHTS);
+            assertThat(moving.hasColors()).isFalse();
+            assertThat(moving.exposure())
+                    .as("not metered yet: a white body is white")
+                    .isEqualTo(1);
             int dark = green(moving.image(), WIDTH / 2, 0);
             for (int side = 0; side < 2; side++) {
                 int left = side * WIDTH / 2;
@@ -237,12 +259,15 @@ class GraphicsStageTest {
         return image.getRGB(x, y) >> 8 & 0xff;
     }
 
-    private LoadedScene updateToCoarsest(GraphicsStage stage) throws InterruptedException {
-        Scene scene = ViewerInAWindow.scene()
+    private static Scene table() {
+        return ViewerInAWindow.scene()
                 .with(Choices.none()
                         .with(Methods.METHOD, TableMethod.TYPE)
                         .with(SceneSettings.ROUGHNESS, Math.toRadians(2)));
-        LoadedScene loaded = new LoadedScene(InAScene.parts(scene, folder));
+    }
+
+    private LoadedScene updateToCoarsest(GraphicsStage stage) throws InterruptedException {
+        LoadedScene loaded = new LoadedScene(InAScene.parts(table(), folder));
         show(stage, loaded);
         await(stage, () -> stage.coarsestShare() == 1);
         return loaded;
