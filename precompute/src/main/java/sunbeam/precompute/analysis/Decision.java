@@ -34,7 +34,7 @@ enum Decision {
     LIKELY(
             Certainty.PROBABLE,
             "no order; contrast 10; strays 0.5 or prominence 15; lines 0.2, prominence 4 (from contrast 60 on 15), significance 40, 3.5"
-                    + " periods; or, below contrast 60, 0.06, 8, 400, 10",
+                    + " periods",
             wave -> !isOrder(wave) && isLikely(wave)),
     POSSIBLE(
             Certainty.TOO_LITTLE,
@@ -89,11 +89,8 @@ enum Decision {
     private static boolean isOrder(Evidence wave) {
         // Powers of random waves are distributed exponentially: n + 1 of them, each of another number of periods.
         double chance = (wave.periods() + 1) * Math.pow(1 - wave.lines(), wave.periods());
-        boolean alone = wave.lines() >= 0.3 && chance <= falseAlarms(wave);
-        boolean standsOut = wave.lines() >= 0.06
-                && isPeak(wave)
-                && wave.lines() * wave.prominence() >= 4
-                && wave.significance() >= 40;
+        boolean alone = chance <= falseAlarms(wave);
+        boolean standsOut = isPeak(wave) && wave.lines() * wave.prominence() >= 4 && wave.significance() >= 40;
         boolean directed = wave.contrast() >= 10 || wave.lines() >= 0.27;
         boolean grown = wave.broad() && wave.contrast() >= 20 && wave.prominence() >= 16;
         return wave.isStated() || (directed && (alone || standsOut || grown));
@@ -104,7 +101,7 @@ enum Decision {
         double beside = LineMeasures.BESIDE * wave.periods() / HANN_BINS;
         double ratio = wave.prominence() * Math.log(2);
         double chance = (wave.periods() + 1) * Math.pow(1 + ratio / beside, -beside);
-        return wave.prominence() >= 15 && chance * Math.min(1, wave.strays() / DISAGREEING) <= falseAlarms(wave);
+        return chance * Math.min(1, wave.strays() / DISAGREEING) <= falseAlarms(wave);
     }
 
     private static double falseAlarms(Evidence wave) {
@@ -113,18 +110,12 @@ enum Decision {
 
     /** Straight lines of noise, whose contrast is higher, have few independent waves, of which one may be this strong. */
     private static boolean isLikely(Evidence wave) {
-        boolean straight = wave.contrast() >= 60;
-        boolean strong = wave.lines() >= 0.2
-                && wave.prominence() >= (straight ? 15 : 4)
+        boolean agrees = wave.strays() <= AGREEING || wave.prominence() >= 15;
+        return wave.contrast() >= 10
+                && agrees
+                && wave.lines() >= 0.2
+                && wave.prominence() >= (wave.contrast() >= 60 ? 15 : 4)
                 && wave.significance() >= 40
                 && wave.periods() >= 3.5;
-        // A wave of many periods may lie in roughness of coarser waves.
-        boolean weak = !straight
-                && wave.lines() >= 0.06
-                && wave.prominence() >= 8
-                && wave.significance() >= 400
-                && wave.periods() >= 10;
-        boolean agrees = wave.strays() <= AGREEING || wave.prominence() >= 15;
-        return wave.contrast() >= 10 && agrees && (strong || weak);
     }
 }

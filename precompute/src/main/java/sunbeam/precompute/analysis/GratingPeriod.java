@@ -138,6 +138,11 @@ public record GratingPeriod(
         return isSure() || certainty == Certainty.PROBABLE;
     }
 
+    /** Whether order is there, or may be. */
+    boolean hasOrder() {
+        return certainty != Certainty.NONE;
+    }
+
     /** Whether more is known than by another search, if that found a wave. */
     boolean isBetterThan(Optional<GratingPeriod> other) {
         return other.filter(known -> known.certainty.compareTo(certainty) <= 0).isEmpty();

@@ -373,11 +373,13 @@ record LineMeasures(
         int reachX = (int) Math.min(spectrum.bandX().last(), to * wave.length() * spectrum.width());
         int reachY = (int) Math.min(spectrum.bandY().last(), to * wave.length() * spectrum.height());
         int[] places = new int[(reachY + 1) * (2 * reachX + 1)];
+        double least = square(from * wave.length());
+        double most = square(to * wave.length());
         int count = 0;
         for (int jy = 0; jy <= reachY; jy++) {
             for (int jx = jy == 0 ? 1 : -reachX; jx <= reachX; jx++) {
-                double length = Math.hypot(jx / spectrum.width(), jy / spectrum.height());
-                if (length >= from * wave.length() && length <= to * wave.length()) {
+                double square = square(jx / spectrum.width()) + square(jy / spectrum.height());
+                if (square >= least && square <= most) {
                     places[count++] =
                             (jy - spectrum.bandY().first()) * spectrum.bandX().count()
                                     + jx
@@ -386,5 +388,9 @@ record LineMeasures(
             }
         }
         return Arrays.copyOf(places, count);
+    }
+
+    private static double square(double value) {
+        return value * value;
     }
 }

@@ -7,6 +7,7 @@ import sunbeam.precompute.analysis.HeightSpectrum.RepeatedPeriod;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.prepare.ScanFault;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
@@ -23,7 +24,7 @@ record PatchPeriod(HeightMap scan, Hypothesis asked) {
     private static final GratingPeriod NOTHING = GratingPeriod.vague(List.of(), 0, 0);
 
     static GratingPeriod of(Patch patch, Hypothesis asked) {
-        PatchPeriod period = new PatchPeriod(patch.measured(), asked);
+        PatchPeriod period = new PatchPeriod(ScanFault.bridged(patch.scan(), patch.faults()), asked);
         if (!(period.scan.relief() > 0)) {
             return NOTHING.none("flat: a mirror without color");
         }

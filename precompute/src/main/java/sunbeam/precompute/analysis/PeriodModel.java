@@ -35,19 +35,32 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
     private static final int MOST_TILES = 4;
     private static final int MOST_TRIED = 8;
 
-    /** Empty if no accepted wave fits twice into the scan. */
+    /**
+     * Searches the scan without edges, its robust heights, and these without ridges, each if those before it show no sure period, or none at
+     * all; empty if no accepted wave fits twice.
+     */
     static Optional<GratingPeriod> of(HeightMap scan, Hypothesis asked) {
-        Optional<GratingPeriod> leveled =
-                TerraceEdges.removed(scan).flatMap(level -> model(level, asked).strongest(false));
+        Optional<GratingPeriod> leveled = TerraceEdges.removed(scan)
+                .flatMap(level -> strongest(RobustHeights.of(level).clipped(), asked));
         if (leveled.filter(GratingPeriod::isSure).isPresent()) {
             return leveled;
         }
-        Optional<GratingPeriod> raw = model(scan, asked).strongest(true);
-        boolean isOrder = leveled.filter(found -> found.certainty() != GratingPeriod.Certainty.NONE)
-                .isPresent();
-        Optional<GratingPeriod> best =
-                raw.filter(found -> !isOrder || found.isBetterThan(leveled)).or(() -> leveled);
-        return best.filter(GratingPeriod::isSure).or(() -> few(scan, asked)).or(() -> best);
+        RobustHeights robust = RobustHeights.of(scan);
+        Optional<GratingPeriod> best = strongest(robust.clipped(), asked)
+                .filter(found -> found.isBetterThan(leveled.filter(GratingPeriod::hasOrder)))
+                .or(() -> leveled);
+        boolean isSeen = best.filter(GratingPeriod::isSeen).isPresent();
+        Optional<HeightMap> left = isSeen ? Optional.empty() : robust.withoutRidges();
+        Optional<GratingPeriod> beside =
+                left.flatMap(heights -> strongest(heights, asked)).filter(GratingPeriod::isSeen);
+        HeightMap judged = beside.flatMap(found -> left).orElse(scan);
+        return Stream.of(beside, best)
+                .flatMap(Optional::stream)
+                .filter(GratingPeriod::isSure)
+                .findFirst()
+                .or(() -> few(judged, asked))
+                .or(() -> beside)
+                .or(() -> best);
     }
 
     private static Optional<GratingPeriod> few(HeightMap scan, Hypothesis asked) {
@@ -56,30 +69,27 @@ record PeriodModel(HeightMap scan, WaveSearch search, Hypothesis asked) {
                         .tooLittle(Reasons.few(wave.periodsIn(scan), wave)));
     }
 
-    private static PeriodModel model(HeightMap scan, Hypothesis asked) {
-        HeightMap robust = RobustHeights.of(scan);
+    private static Optional<GratingPeriod> strongest(HeightMap robust, Hypothesis asked) {
         Predicate<SpatialFrequency> visible =
                 wave -> asked.test(wave) && wave.length() * HeightSpectrum.SHORTEST_PERIOD <= 1;
-        return new PeriodModel(robust, new WaveSearch(robust, visible), asked);
+        return new PeriodModel(robust, new WaveSearch(robust, visible), asked).strongest();
     }
 
     /** Judges the highest peaks, of which those of waviness and defects may be higher than a grating's; the first that is order wins. */
-    private Optional<GratingPeriod> strongest(boolean withLimit) {
+    private Optional<GratingPeriod> strongest() {
         Optional<GratingPeriod> best = Optional.empty();
         List<SpatialFrequency> tried = search.peaks(wave -> wave.periodsIn(scan) >= FEWEST_TRIED, MOST_TRIED);
         for (SpatialFrequency line : tried) {
             GratingPeriod found = judged(line);
             boolean better = best.filter(known -> known.certainty().compareTo(found.certainty()) <= 0
-                            || (known.certainty() != GratingPeriod.Certainty.NONE && isOvertone(line, known.wave())))
+                            || (known.hasOrder() && isOvertone(line, known.wave())))
                     .isEmpty();
             best = better ? Optional.of(found) : best;
             if (best.get().isSeen()) {
                 break;
             }
         }
-        return best.map(found -> withLimit && found.certainty() == GratingPeriod.Certainty.NONE
-                ? found.excluding(WaveLimit.of(search.measures(), tried))
-                : found);
+        return best.map(found -> found.hasOrder() ? found : found.excluding(WaveLimit.of(search.measures(), tried)));
     }
 
     private boolean isOvertone(SpatialFrequency line, SpatialFrequency of) {

@@ -1,6 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
@@ -13,8 +14,10 @@ import sunbeam.precompute.optics.HeightMap;
  * Heights from which the faults of a scan are removed before the search for waves: jumps between rows are undone, a plane and a bow are
  * subtracted that few deviating heights do not bend (Huber's weights), and heights are clipped at the median over tiles of the tiles' highest
  * and lowest.
+ *
+ * @param level heights before they are clipped
  */
-final class RobustHeights {
+record RobustHeights(HeightMap level) {
     // More belong to the surface: three lines across the scan have six edges.
     private static final int MOST_JUMPS = 4;
     // Ratio of a jump to the largest other step between rows.
@@ -22,26 +25,99 @@ final class RobustHeights {
     // Evenly spaced columns: the error of their median is a tenth of their spread.
     private static final int MOST_COLUMNS = 256;
     private static final int ITERATIONS = 12;
+    // Relative change of the deviation that ends them: far below the clipped range.
+    private static final double SETTLED = 1e-3;
     private static final double HUBER = 1.5;
     private static final double GAUSSIAN = 1.4826;
     private static final int TERMS = 6;
     // Samples that the polynomial is fitted to, one of each of as many runs of samples.
     private static final int FITTED = 20000;
     // Tiles along each axis. Dust, scratches and a ridge lie in less than half of the small tiles, and in less than
-    // three quarters of the
-    // large ones, of which each has the tops and bottoms of a surface that repeats.
+    // three quarters of the large ones, of which each has the tops and bottoms of a surface that repeats.
     private static final int SMALL_TILES = 20;
     private static final int LARGE_TILES = 6;
-
-    private RobustHeights() {}
+    // Share of the distance of the usual tops and bottoms: lines of uneven height stay within it.
+    private static final double FAR = 0.5;
+    // Of a Gaussian ridge five times as high as lines, less than their height is left there; twice as wide ones leave
+    // too few lines beside a ridge along them.
+    private static final double WIDER = 1.5;
+    // A plane that a ridge tilts makes other heights seem too high.
+    private static final int CUTS = 3;
+    // Share of the scan: what lies beyond may be lines that cover the rest.
+    private static final double LEAST_LEFT = 0.5;
 
     /** @param scan complete heights, meters */
-    static HeightMap of(HeightMap scan) {
+    static RobustHeights of(HeightMap scan) {
         double[] heights = scan.heights().clone();
         undoJumps(scan, heights);
-        level(scan, heights);
-        clip(scan, heights);
-        return scan.with(heights);
+        level(scan, heights, new boolean[heights.length]);
+        return new RobustHeights(scan.with(heights));
+    }
+
+    HeightMap clipped() {
+        return clipped(level, level.heights(), new boolean[level.heights().length]);
+    }
+
+    /** Returns heights in which high ridges, dust and scratches, with their flanks, count as not measured: they have the mean; empty without any. */
+    Optional<HeightMap> withoutRidges() {
+        double[] heights = level.heights().clone();
+        boolean[] cut = new boolean[heights.length];
+        int[] left = {};
+        for (int i = 0; i < CUTS; i++) {
+            boolean[] ridges = ridges(level, heights, cut);
+            left = IntStream.range(0, ridges.length).filter(k -> !ridges[k]).toArray();
+            cut = ridges;
+            if (left.length == cut.length || left.length == 0) {
+                return Optional.empty();
+            }
+            level(level, heights, cut);
+        }
+        if (left.length < LEAST_LEFT * cut.length) {
+            return Optional.empty();
+        }
+        HeightMap clipped = clipped(level, heights, cut);
+        double mean = Arrays.stream(left)
+                .mapToDouble(i -> clipped.heights()[i])
+                .average()
+                .orElseThrow();
+        boolean[] ridges = cut;
+        Arrays.setAll(heights, i -> ridges[i] ? mean : clipped.heights()[i]);
+        return Optional.of(level.with(heights));
+    }
+
+    /** Marks what lies beyond the usual tops and bottoms by half of their distance, with half as much of its flanks. */
+    private static boolean[] ridges(HeightMap scan, double[] heights, boolean[] before) {
+        double[] usual = usual(scan, heights, before);
+        double far = FAR * (usual[1] - usual[0]);
+        double[] reach = new double[heights.length];
+        Arrays.setAll(
+                reach, i -> heights[i] > usual[1] + far || heights[i] < usual[0] - far ? Double.NEGATIVE_INFINITY : 0);
+        spread(scan, reach);
+        Arrays.setAll(reach, i -> -WIDER * reach[i]);
+        spread(scan, reach);
+        boolean[] ridges = new boolean[reach.length];
+        for (int i = 0; i < ridges.length; i++) {
+            ridges[i] = reach[i] > 0;
+        }
+        return ridges;
+    }
+
+    /** Raises values to those of neighbors less the distance, samples: minus the distance to zeros, or what lies within positive ones. */
+    private static void spread(HeightMap scan, double[] values) {
+        int columns = scan.columns();
+        for (int sign = 1; sign >= -1; sign -= 2) {
+            for (int k = 0; k < values.length; k++) {
+                int i = sign > 0 ? k : values.length - 1 - k;
+                for (int n = 0; n < 4; n++) {
+                    int dx = n == 3 ? -sign : sign * (n - 1);
+                    int other = i + dx - (n == 3 ? 0 : sign * columns);
+                    int column = i % columns + dx;
+                    if (column >= 0 && column < columns && other >= 0 && other < values.length) {
+                        values[i] = Math.max(values[i], values[other] - (n == 0 || n == 2 ? Math.sqrt(2) : 1));
+                    }
+                }
+            }
+        }
     }
 
     /** Undoes up to four steps between rows that are more than twice as high as all others. */
@@ -84,31 +160,42 @@ final class RobustHeights {
         return new double[] {1, x, y, x * x, x * y, y * y};
     }
 
-    private static void level(HeightMap scan, double[] heights) {
+    private static void level(HeightMap scan, double[] heights, boolean[] cut) {
         int stride = Math.max(1, heights.length / FITTED);
-        int count = heights.length / stride;
+        SplittableRandom random = new SplittableRandom(1);
+        int[] fitted = IntStream.range(0, heights.length / stride)
+                .map(k -> k * stride + (stride > 1 ? random.nextInt(stride) : 0))
+                .filter(i -> !cut[i])
+                .toArray();
+        int count = fitted.length;
         double[] rest = new double[count];
         double[][] terms = new double[count][];
         double[] values = new double[count];
-        SplittableRandom random = new SplittableRandom(1);
         for (int k = 0; k < count; k++) {
-            int i = k * stride + (stride > 1 ? random.nextInt(stride) : 0);
-            terms[k] = terms(scan, i);
-            values[k] = heights[i] - heights[0];
+            terms[k] = terms(scan, fitted[k]);
+            values[k] = heights[fitted[k]] - heights[0];
         }
         double[] weights = new double[count];
         Arrays.fill(weights, 1);
         double[] fit = new double[TERMS];
-        for (int n = 0; n < ITERATIONS; n++) {
+        double scale = 1;
+        double before = 0;
+        for (int n = 0; n < ITERATIONS && Math.abs(scale - before) > SETTLED * scale; n++) {
+            before = scale;
             double[][] normal = new double[TERMS][TERMS];
             double[] right = new double[TERMS];
             for (int k = 0; k < count; k++) {
                 for (int a = 0; a < TERMS; a++) {
                     double wa = weights[k] * terms[k][a];
                     right[a] += wa * values[k];
-                    for (int b = 0; b < TERMS; b++) {
+                    for (int b = 0; b <= a; b++) {
                         normal[a][b] += wa * terms[k][b];
                     }
+                }
+            }
+            for (int a = 0; a < TERMS; a++) {
+                for (int b = a + 1; b < TERMS; b++) {
+                    normal[a][b] = normal[b][a];
                 }
             }
             fit = new SingularValueDecomposition(new Array2DRowRealMatrix(normal))
@@ -120,7 +207,7 @@ final class RobustHeights {
                 rest[k] = values[k] - CoarseWave.dot(fit, terms[k]);
                 sizes[k] = Math.abs(rest[k]);
             }
-            double scale = HUBER * GAUSSIAN * Quantiles.of(sizes, 0.5);
+            scale = HUBER * GAUSSIAN * Quantiles.of(sizes, 0.5);
             for (int k = 0; k < count; k++) {
                 weights[k] = Math.abs(rest[k]) <= scale ? 1 : scale / Math.abs(rest[k]);
             }
@@ -132,17 +219,23 @@ final class RobustHeights {
                 .forEach(i -> heights[i] -= offset + CoarseWave.dot(found, terms(scan, i)));
     }
 
-    /** Clips heights beyond the usual tops and bottoms of small tiles, or of large ones if these are farther: pits may be rare. */
-    private static void clip(HeightMap scan, double[] heights) {
-        double[] small = usual(scan, heights, SMALL_TILES, 0.5);
-        double[] large = usual(scan, heights, LARGE_TILES, 0.25);
-        double bottom = Math.min(small[0], large[0]);
-        double top = Math.max(small[1], large[1]);
-        Arrays.setAll(heights, i -> Math.max(bottom, Math.min(top, heights[i])));
+    /** Clips heights beyond the usual tops and bottoms. */
+    private static HeightMap clipped(HeightMap scan, double[] heights, boolean[] cut) {
+        double[] usual = usual(scan, heights, cut);
+        double[] clipped = new double[heights.length];
+        Arrays.setAll(clipped, i -> Math.max(usual[0], Math.min(usual[1], heights[i])));
+        return scan.with(clipped);
+    }
+
+    /** Returns the usual bottoms and tops of small tiles, or of large ones if these are farther: pits may be rare. */
+    private static double[] usual(HeightMap scan, double[] heights, boolean[] cut) {
+        double[] small = usual(scan, heights, cut, SMALL_TILES, 0.5);
+        double[] large = usual(scan, heights, cut, LARGE_TILES, 0.25);
+        return new double[] {Math.min(small[0], large[0]), Math.max(small[1], large[1])};
     }
 
     /** Returns the bottom and top that a share of the tiles stay within. */
-    private static double[] usual(HeightMap scan, double[] heights, int tiles, double share) {
+    private static double[] usual(HeightMap scan, double[] heights, boolean[] cut, int tiles, double share) {
         int across = Math.min(tiles, scan.columns());
         int down = Math.min(tiles, scan.rows());
         double[] tops = new double[across * down];
@@ -153,10 +246,12 @@ final class RobustHeights {
             int first = across * (int) ((long) row * down / scan.rows());
             for (int column = 0; column < scan.columns(); column++, i++) {
                 int tile = first + (int) ((long) column * across / scan.columns());
-                tops[tile] = Math.max(tops[tile], heights[i]);
-                bottoms[tile] = Math.min(bottoms[tile], heights[i]);
+                tops[tile] = cut[i] ? tops[tile] : Math.max(tops[tile], heights[i]);
+                bottoms[tile] = cut[i] ? bottoms[tile] : Math.min(bottoms[tile], heights[i]);
             }
         }
-        return new double[] {Quantiles.of(bottoms, 1 - share), Quantiles.of(tops, share)};
+        double[] low = Arrays.stream(bottoms).filter(Double::isFinite).toArray();
+        double[] high = Arrays.stream(tops).filter(Double::isFinite).toArray();
+        return new double[] {Quantiles.of(low, 1 - share), Quantiles.of(high, share)};
     }
 }

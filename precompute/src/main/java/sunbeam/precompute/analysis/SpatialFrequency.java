@@ -7,7 +7,7 @@ public record SpatialFrequency(double x, double y) {
     private static final double ALIKE = 0.05;
 
     public double length() {
-        return Math.hypot(x, y);
+        return Math.sqrt(x * x + y * y); // a third of the time of Math.hypot
     }
 
     public double period() {

@@ -146,7 +146,7 @@ public final class ScanFaults {
     }
 
     private static ScanFault leveled(String words) {
-        return new ScanFault(words, Optional.empty(), Optional.of(Leveling.MEDIAN_ROWS), 0, "");
+        return new ScanFault(words, Optional.empty(), Optional.of(Leveling.MEDIAN_ROWS), List.of(), "");
     }
 
     /** None if there are too many, or several jumps up and down by the same amount, as at ridges along the rows. */
@@ -281,7 +281,8 @@ public final class ScanFaults {
             int count = unmeasured.cardinality();
             String words = (count == 1 ? "row " : "rows ") + numbers(place.firstRow() + 1) + " of " + whole.rows()
                     + " (from the top) hold no measurement: missing, constant, or equal to the row above";
-            return Optional.of(new ScanFault(words, part, Optional.empty(), (double) count / scan.rows(), ""));
+            return Optional.of(new ScanFault(
+                    words, part, Optional.empty(), unmeasured.stream().boxed().toList(), ""));
         }
 
         /** Returns "3, 7 to 9 and 3 more". */
