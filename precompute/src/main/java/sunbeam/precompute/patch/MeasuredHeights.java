@@ -52,7 +52,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                     DECIMAL_MARK,
                     "is missing: " + file + " " + ambiguous.getMessage() + ", or give ",
                     DECIMAL_MARK,
-                    " point if commas separate numbers, or comma");
+                    " point if commas separate numbers");
         } catch (ScanException unusable) {
             throw new InputException(file + " " + unusable.getMessage(), unusable);
         } catch (IOException failure) {

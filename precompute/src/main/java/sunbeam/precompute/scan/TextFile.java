@@ -22,9 +22,10 @@ import sunbeam.precompute.scan.TextReader.TextNumbers;
  * Text file with numbers: its header, encoding and decimal mark.
  *
  * @param charset UTF-16 by its byte order mark, else UTF-8 if the first bytes are valid in it, else Latin-1
- * @param ambiguous true if commas may separate thousands and no mark is chosen
+ * @param ambiguity what makes the decimal mark unknown, if it is and none is chosen
  */
-record TextFile(ScanBytes file, Charset charset, List<String> header, boolean decimalComma, boolean ambiguous) {
+record TextFile(
+        ScanBytes file, Charset charset, List<String> header, boolean decimalComma, Optional<String> ambiguity) {
     private static final int LONGEST_HEADER = 1 << 18;
 
     private static final Pattern NUMBER =
@@ -33,9 +34,6 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     private static final Pattern FRACTION = Pattern.compile("\\d,\\d");
     private static final Pattern SIGNED = Pattern.compile(",[-+\u2212]");
     private static final Pattern SEPARATED = Pattern.compile("\\S[ \\t]+\\S|;");
-    // Commas and points within a line of semicolons, or "1,024.5" before a blank.
-    private static final Pattern THOUSANDS =
-            Pattern.compile("(?m)^(?=[^;\n]*;)(?=[^.\n]*\\.)[^,\n]*,|(?<![\\d.,])\\d{1,3}(?:,\\d{3})+\\.\\d+[ \\t]");
     // Keys of ESRI's ASCII grids.
     private static final Pattern GRID_COLUMNS = Pattern.compile("(?i)\\s*ncols\\s+\\d.*");
     private static final Pattern NO_DATA = Pattern.compile("(?i)\\s*nodata_value\\s+(\\S{1,30})\\s*");
@@ -55,8 +53,8 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 String numbers = head.lines().skip(header.size()).collect(Collectors.joining("\n"));
                 boolean comma =
                         mark.map(TextReader.DecimalMark.COMMA::equals).orElseGet(() -> hasDecimalCommas(numbers));
-                boolean ambiguous = mark.isEmpty() && THOUSANDS.matcher(numbers).find();
-                return Optional.of(new TextFile(file, charset, header, comma, ambiguous));
+                Optional<String> ambiguity = mark.isPresent() ? Optional.empty() : UnknownMark.in(numbers);
+                return Optional.of(new TextFile(file, charset, header, comma, ambiguity));
             }
             header.add(line.startsWith("\ufeff") ? line.substring(1) : line);
         }
@@ -98,8 +96,8 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
 
     /** Throws ScanException if the numbers are none, {@link UnknownMark} if they cannot be told apart. */
     TextNumbers numbers() throws IOException {
-        if (ambiguous) {
-            throw new UnknownMark();
+        if (ambiguity.isPresent()) {
+            throw new UnknownMark(ambiguity.get());
         }
         // A single line, which is held as text, may contain all numbers.
         Samples.requireMemory(0, file.size());

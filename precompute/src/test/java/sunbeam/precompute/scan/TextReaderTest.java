@@ -12,9 +12,11 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.IntBinaryOperator;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -73,9 +75,44 @@ class TextReaderTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"1,5,-2,25\n3,0,4,75\n", "1, 5, -2, 25\n3, 0, 4, 75\n"})
+    @ValueSource(strings = {"1,-5,-2,25\n3,0,4,75\n", "1, -5, -2, 25\n3, 0, 4, 75\n"})
     void commasBetweenWholeNumbersSeparateThem(String text) throws IOException {
-        assertThat(read(text)).containsExactly(1, 5, -2, 25, 3, 0, 4, 75);
+        assertThat(read(text)).containsExactly(1, -5, -2, 25, 3, 0, 4, 75);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "1,5,2,5\n3,5,4,5\n",
+                "1,5,-2,25\n3,0,4,75\n",
+                "1,25,-12,50,\n13,75,4,00,\n",
+                "\"1,5\",\"2,5\"\n\"3,5\",\"4,5\"\n",
+                "12,20,13,05\n14,30,15,00\n",
+                "1.002,5\t1.003,5\n1.004,5\t1.005,5\n"
+            })
+    void commasThatMayBeMarksAndSeparatorsNeedADecimalMark(String text) {
+        assertThatThrownBy(() -> read(text)).isInstanceOf(UnknownMark.class);
+    }
+
+    /** Of a smooth surface from 100.0 to 999.9, with as many decimals as stated; whole numbers of the same range have columns of their own. */
+    @Test
+    void decimalsAreToldFromWholeNumbersOfManySamples() throws IOException {
+        IntToDoubleFunction heights = i -> 550 + 449 * Math.sin(0.37 * i);
+        for (String form : List.of("%.1f", "%.2f", "%.3f", "%s")) {
+            String text = lines(form, heights).replace('.', ',');
+            assertThatThrownBy(() -> read(text)).as(form).isInstanceOf(UnknownMark.class);
+        }
+        assertThat(read(lines("%.0f", heights))).hasSize(SIDE * SIDE);
+        assertThat(read(lines("%.0f", i -> 4000 * heights.applyAsDouble(i)))).hasSize(SIDE * SIDE);
+        // Counts of one to three digits.
+        assertThat(read(lines("%.0f", i -> 128 + 127 * Math.sin(0.37 * i)))).hasSize(SIDE * SIDE);
+    }
+
+    private static String lines(String form, IntToDoubleFunction height) {
+        return IntStream.range(0, SIDE * SIDE)
+                .mapToObj(i ->
+                        String.format(Locale.ROOT, form, height.applyAsDouble(i)) + ((i + 1) % SIDE == 0 ? "\n" : ","))
+                .collect(Collectors.joining());
     }
 
     @Test
