@@ -13,10 +13,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.Arrays;
-import java.util.List;
-import java.util.Map;
-import java.util.SplittableRandom;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import jrtr.gl.RenderContext;
@@ -25,13 +21,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import picocli.CommandLine;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.picture.LinearPicture;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.Direction;
@@ -39,7 +33,6 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.text.Text;
 
 /** Exposure, annotation and light of maps. */
 @NeedsDisplay
@@ -231,15 +224,7 @@ class BrdfMapCommandTest extends CommandLineFixture {
     /** Of a rough surface. The lamp widens its orders by a twentieth, by which a point's map is too sharp. */
     @Test
     void aMapOfAPointMissesTheCertificateOfALamp() throws IOException {
-        SplittableRandom random = new SplittableRandom(4);
-        int side = 64;
-        List<String> rows = IntStream.range(0, side)
-                .mapToObj(row -> random.doubles(side, 0, 60)
-                        .mapToObj(height -> Text.format("%.2f", height))
-                        .collect(Collectors.joining(" ")))
-                .toList();
-        String rough = Files.write(folder.resolve("rough.txt"), rows).toString();
-        DiffractionSetup setup = setup(rough, "--width", "4um", "--height", "4um", "--height-unit", "nm");
+        DiffractionSetup setup = new MethodProbe(folder, rough(64)).setup();
         Choices choices = Choices.none().with(AVERAGE, Average.ENSEMBLE).with(COHERENCE_LENGTH, 4e-6);
         MaterialMap point = new MaterialMap(setup, choices, RefractiveIndex.KERATIN, aside(0, 0));
         MaterialMap lamp = new MaterialMap(
@@ -254,13 +239,6 @@ class BrdfMapCommandTest extends CommandLineFixture {
         }
     }
 
-    private DiffractionSetup setup(String... patch) {
-        return new DiffractionSetup(
-                CommandLine.populateCommand(new PatchOptions(), patch).load(Choices.none()),
-                new Environment(Map.of(), folder),
-                line -> {});
-    }
-
     private static double error(float[] map, double[] mean) {
         double brightest = Arrays.stream(mean).filter(Double::isFinite).max().orElseThrow();
         IntStream lit = IntStream.range(0, mean.length).filter(c -> mean[c] > 0.01 * brightest);
@@ -268,7 +246,7 @@ class BrdfMapCommandTest extends CommandLineFixture {
     }
 
     private float[] draw(RenderContext context, Choices choices, Direction light) {
-        return new MaterialMap(setup("blaze"), choices, RefractiveIndex.KERATIN, light)
+        return new MaterialMap(new MethodProbe(folder, "blaze").setup(), choices, RefractiveIndex.KERATIN, light)
                 .draw(context, SIZE)
                 .picture()
                 .xyz();

@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
+import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
@@ -93,6 +94,13 @@ public abstract class CommandLineFixture {
             }
         }
         return Files.writeString(folder.resolve(name), text);
+    }
+
+    /** Writes white noise of 60 nm, sixteen samples a micrometer, and returns the patch's options. */
+    protected final String rough(int side) throws IOException {
+        SplittableRandom random = new SplittableRandom(4);
+        Path file = scan("rough.txt", "", side, side, (column, row) -> random.nextDouble(60));
+        return file + " --height-unit nm --width " + side / 16 + "um";
     }
 
     protected final JsonNode readJson(String name) throws IOException {

@@ -3,14 +3,10 @@ package sunbeam.app.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.cli.Certificate.Limits;
@@ -32,31 +28,18 @@ import sunbeam.precompute.plan.MethodUse;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight.Quadrature;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.text.Text;
 
 /** Claim of {@link Illuminant#isSmooth}: the wavelengths of method full, at equal steps where orders are wide, resolve the light. */
 @NeedsDisplay
-class SmoothLightTest {
+class SmoothLightTest extends CommandLineFixture {
     private static final double TOLERANCE = 1e-3;
     private static final int PAIRS = 12;
 
-    @TempDir
-    static Path folder;
+    private DiffractionSetup rough;
 
-    private static DiffractionSetup rough;
-
-    @BeforeAll
-    static void makeARoughSurface() throws IOException {
-        SplittableRandom random = new SplittableRandom(4);
-        int side = 32;
-        List<String> rows = IntStream.range(0, side)
-                .mapToObj(row -> random.doubles(side, 0, 60)
-                        .mapToObj(height -> Text.format("%.2f", height))
-                        .collect(Collectors.joining(" ")))
-                .toList();
-        Files.write(folder.resolve("rough.txt"), rows);
-        rough = new MethodProbe(folder, folder.resolve("rough.txt") + " --width 2um --height 2um --height-unit nm")
-                .setup();
+    @BeforeEach
+    void makeARoughSurface() throws IOException {
+        rough = new MethodProbe(folder, rough(32)).setup();
     }
 
     @ParameterizedTest
@@ -68,18 +51,18 @@ class SmoothLightTest {
         assertThat(Limits.of(TOLERANCE).hold(errors)).as("%s", errors).isTrue();
     }
 
-    /** Peaks less than 28 nm wide at half maximum in the blue, 39 nm beyond, are not smooth. */
+    /** Peaks less than 7 nm wide at half maximum in the blue, 10 nm in the green, are not smooth. */
     @ParameterizedTest
     @ValueSource(doubles = {450, 550})
     void aPeakAsWideAsTheLimitKeepsTheToleranceAndANarrowOneWouldNot(double peak) {
-        CieTable wide = led(peak, peak < 500 ? 12 : 17);
+        CieTable wide = led(peak, peak < 500 ? 3.1 : 4.3);
         assertThat(wide.isSmooth()).isTrue();
         assertThat(Limits.of(TOLERANCE).hold(errors(wide)))
                 .as("%s", errors(wide))
                 .isTrue();
 
+        assertThat(led(peak, peak < 500 ? 2.7 : 3.9).isSmooth()).isFalse();
         CieTable narrow = led(peak, peak < 500 ? 1 : 2);
-        assertThat(narrow.isSmooth()).isFalse();
         assertThat(Limits.of(TOLERANCE).hold(errors(narrow))).as("as lines").isTrue();
         CieTable tampered = new CieTable(narrow.weighted(), narrow.integralOfY(), "tampered", true);
         assertThat(Limits.of(TOLERANCE).hold(errors(tampered)))
@@ -94,7 +77,7 @@ class SmoothLightTest {
         return CieTable.of(Observer.CIE1931, new Illuminant("LED", power));
     }
 
-    private static ErrorStatistics errors(CieTable light) {
+    private ErrorStatistics errors(CieTable light) {
         DiffractionSetup setup = rough.withLight(light);
         Choices choices = Choices.none()
                 .with(MethodSettings.AVERAGE, Average.ENSEMBLE)
