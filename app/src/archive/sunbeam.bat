@@ -20,7 +20,13 @@ if "%~1"=="" pause
 exit /b 7
 :start
 if "%~1"=="" goto window
-"%java%" "@%~dp0lib\java.options" %SUNBEAM_JAVA_OPTIONS% -cp "%~dp0lib\*" sunbeam.app.Main %*
-exit /b %errorlevel%
+rem Codes below 64 are Java's own: 130 after Ctrl-C, else those of a Java that dies, which Windows leaves unsaid.
+"%java%" "@%~dp0lib\java.options" -Dsunbeam.exit=64 %SUNBEAM_JAVA_OPTIONS% -cp "%~dp0lib\*" sunbeam.app.Main %*
+set code=%errorlevel%
+if %code%==130 exit /b %code%
+set /a code-=64
+if %code% geq 0 exit /b %code%
+echo sunbeam: Java has died, or has not begun: no result is whole 1>&2
+exit /b 1
 :window
 start "" "%window%" "@%~dp0lib\java.options" -Dsunbeam.dialog=true %SUNBEAM_JAVA_OPTIONS% -cp "%~dp0lib\*" sunbeam.app.Main view

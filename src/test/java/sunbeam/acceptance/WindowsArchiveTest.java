@@ -154,6 +154,20 @@ class WindowsArchiveTest extends InOneWorkplace {
     /** Wine makes Ctrl-C of SIGINT. */
     @Test
     void ctrlCLeavesNothing() throws Exception {
+        assertThat(endedBy("INT").ended(SunbeamResult.INTERRUPTED).stderr()).doesNotContain("died");
+        try (Stream<Path> files = Files.list(place)) {
+            assertThat(files.map(file -> file.getFileName().toString())).noneMatch(name -> name.contains("gone"));
+        }
+    }
+
+    /** Wine gives a killed process code 0, which Sunbeam's own 0 must not be taken for. */
+    @Test
+    void aJavaThatDiesIsOneLine() throws Exception {
+        assertThat(endedBy("KILL").ended(1).stderr()).contains("sunbeam: Java has died");
+    }
+
+    /** Sends Java a signal while a map is drawn. */
+    private static SunbeamResult endedBy(String signal) throws Exception {
         String size = "8192";
         try (RunningSunbeam running = RunningSunbeam.start(
                 onWindows("brdf-map", "xenopeltis-like", "--size", size, "--output", "gone.png"))) {
@@ -164,11 +178,10 @@ class WindowsArchiveTest extends InOneWorkplace {
                     .filter(process -> process.info().commandLine().orElse("").contains("sunbeam.app.Main"))
                     .findFirst()
                     .orElseThrow();
-            new ProcessBuilder("sh", "-c", "kill -INT " + java.pid()).start().waitFor();
-            running.end(PATIENCE).ended(SunbeamResult.INTERRUPTED);
-        }
-        try (Stream<Path> files = Files.list(place)) {
-            assertThat(files.map(file -> file.getFileName().toString())).noneMatch(name -> name.contains("gone"));
+            new ProcessBuilder("sh", "-c", "kill -" + signal + " " + java.pid())
+                    .start()
+                    .waitFor();
+            return running.end(PATIENCE);
         }
     }
 

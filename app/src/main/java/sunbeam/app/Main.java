@@ -36,7 +36,8 @@ public final class Main {
         if (hasNoConsole && code != 0) {
             JOptionPane.showMessageDialog(null, errors, "Sunbeam", JOptionPane.ERROR_MESSAGE);
         }
-        System.exit(code);
+        // A start script that cannot see how Java ended tells this code from those of a Java that died.
+        System.exit(Integer.getInteger("sunbeam.exit", 0) + code);
     }
 
     /** Ends the process without Java's shutdown hooks, since those of JOGL would use the lost display. */
