@@ -34,10 +34,6 @@ class Sunbeam(mi.BSDF):
         super().__init__(props)
         with np.load(props["filename"]) as archive:
             table, metadata = archive["C"].astype(np.float32), json.loads(archive["metadata.json"])
-            divisor = archive["divisor"] if "divisor" in archive else np.ones((1, 2, 2))
-        # Of --energy conserve; the traced direction takes the light's place, so that no path gains light.
-        self.divisor_side = divisor.shape[1]
-        self.divisor = mi.Float(divisor.mean(0).astype(np.float32).ravel())
         self.xyz = "X, Y, Z" in metadata["quantity"]
         axes = {axis["name"]: axis for axis in metadata["axes"]}
         self.first = [float(axes[name]["first"]) for name in "uvw"]
@@ -94,15 +90,7 @@ class Sunbeam(mi.BSDF):
         k = 2 * half * half
         mask = dr.minimum(1, 2 * cosines * dr.minimum(wi.z, wo.z) / k)
         gain = (1 + 24 * dr.maximum(1 - half, 0) ** 5) * k * k / (cosines * cosines * wi.z) * mask
-        return dr.select(active, self.scale * gain / self.divided(wi) * self.color(-(wi + wo)), 0)
-
-    def divided(self, wi):
-        """Divisor at a direction, linear between samples."""
-        side = self.divisor_side
-        at = [dr.clip((wi[i] + 1) / 2 * (side - 1), 0, side - 1) for i in range(2)]
-        i, j = [mi.UInt32(dr.minimum(place, side - 2)) for place in at]
-        a, b, c, d = [dr.gather(mi.Float, self.divisor, j * side + i + more) for more in (0, 1, side, side + 1)]
-        return dr.lerp(dr.lerp(a, b, at[0] - i), dr.lerp(c, d, at[0] - i), at[1] - j)
+        return dr.select(active, self.scale * gain * self.color(-(wi + wo)), 0)
 
     def pdf(self, ctx, si, wo, active=True):
         uv = [-(si.wi[i] + wo[i]) for i in range(2)]
@@ -144,18 +132,17 @@ def furnace(bsdf, si, count):
 
 def difference(filename, bsdf, si, count):
     """Median of what read_export.py says otherwise of the brightest channel, in directions that are drawn."""
-    from read_export import color, divisor, gain
+    from read_export import color, gain
 
     with np.load(filename) as archive:
         table, metadata = archive["C"], json.loads(archive["metadata.json"])
-        over = np.mean(divisor(archive, np.array(si.wi)[:, 0]))
     axes, wi = {axis["name"]: axis for axis in metadata["axes"]}, np.array(si.wi)[:, 0]
     rng = mi.PCG32(size=count)
     bs, _ = bsdf.sample(mi.BSDFContext(), si, rng.next_float32(), mi.Point2f(rng.next_float32(), rng.next_float32()))
     values, errors = np.array(bsdf.eval(mi.BSDFContext(), si, bs.wo)).T / bsdf.scale, []
     for wo, value in zip(np.array(bs.wo).T, values):
         exact = color(table, axes, -(wi + wo))
-        exact = np.maximum(0, REC709 @ exact if bsdf.xyz else exact) * (gain(wo, wi) / over if wo[2] > 0 else 0)
+        exact = np.maximum(0, REC709 @ exact if bsdf.xyz else exact) * (gain(wo, wi) if wo[2] > 0 else 0)
         if exact.max() > 0:
             errors.append(np.abs(value - exact).max() / exact.max())
     return np.median(errors)

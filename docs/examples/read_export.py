@@ -3,7 +3,7 @@
     sunbeam export blaze --format npz --output blaze.npz
     python3 read_export.py blaze.npz THETA_I PHI_I THETA_R PHI_R     (degrees)
 
-prints X, Y, Z of diffracted power (with --energy conserve over the divisor) and the gain that makes relative radiance of it. With RESULTS.csv of `sunbeam reflectance
+prints the channels of diffracted power (with --energy conserve over the divisor) and the gain that makes relative radiance of it. With RESULTS.csv of `sunbeam reflectance
 --average ensemble --coherence-length` (the table's) in place of angles, prints median and 95th percentile of relative differences.
 """
 
@@ -25,7 +25,7 @@ def place(axis, value):
 
 
 def color(table, axes, uvw):
-    """Three channels: square roots are linear in u and v; their squares cubic through four slices of w."""
+    """All channels: square roots are linear in u and v; their squares cubic through four slices of w."""
     (i, s), (j, t) = place(axes["u"], uvw[0]), place(axes["v"], uvw[1])
     slice_, rest = place(axes["w"], uvw[2])
     first = int(np.clip(slice_ - 1, 0, axes["w"]["count"] - 4))
@@ -46,7 +46,7 @@ def gain(wi, wr):
 
 
 def divisor(archive, wi):
-    """Divisor of each channel by the direction of light, linear between samples; 1 without --energy conserve."""
+    """Divisor of each channel by the direction of light, linear between samples; 1 without (--energy scalar)."""
     if "divisor" not in archive:
         return 1.0
     values = archive["divisor"]

@@ -4,9 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.nio.FloatBuffer;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,14 +11,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import java.util.zip.ZipFile;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.DirectionQuery;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -138,38 +133,17 @@ class EnergyTest extends CommandLineFixture {
             reflectance --preset thesis                  | is not for the thesis's preset
             reflectance --coherence-length 4um           | needs a coherence length of 5um at least
             brdf-map --size 16 --method gem --spacing 1um | is not for method gem
+            export --format html                         | give --format bsdf, or npz with --channels spectral
+            export --format npz                          | give --format bsdf, or npz with --channels spectral
+            export --format npz --channels rec709        | give --format bsdf, or npz with --channels spectral
             reflectance                                  | give
             """)
     void whereNoDivisorIsRightOneLineSaysSo(String command, String words) throws IOException {
         list("theta_i,phi_i,theta_r,phi_r", List.of("0,0,10,0", "1,0,10,0"));
-        String files = command.startsWith("brdf") ? " --output @o.png" : " --output @o.csv --directions @in.csv";
+        String files = " --output @o" + (command.startsWith("brdf") ? ".png" : ".csv")
+                + (command.startsWith("reflectance") ? " --directions @in.csv" : "");
         assertThat(sunbeam(command + DISC + "conserve" + files)).as("%s", err).isEqualTo(2);
         assertThat(err.toString()).contains("--energy conserve", words);
         assertThat(folder.resolve("o.csv")).doesNotExist();
-    }
-
-    @Test
-    void anExportHasTheDivisorOrRefuses() throws IOException {
-        String export = "export --samples 0 --size 2MB --coherence-length 10um" + DISC + "conserve --format ";
-        assertComplaint(
-                ExitCode.USAGE, export + "html --output @p.html", "--energy conserve is for --format npz and bsdf");
-        assertThat(sunbeam(export + "npz --output @t.npz")).as("%s", err).isIn(0, 3);
-        MethodProbe probe = probe();
-        try (ZipFile archive = new ZipFile(folder.resolve("t.npz").toFile())) {
-            byte[] array =
-                    archive.getInputStream(archive.getEntry("divisor.npy")).readAllBytes();
-            FloatBuffer values = ByteBuffer.wrap(array, array.length - 4 * 3 * 625, 4 * 3 * 625)
-                    .order(ByteOrder.LITTLE_ENDIAN)
-                    .asFloatBuffer();
-            // The middle of the 25 x 25 directions is light along the normal; all channels of colors have one divisor.
-            double above = new EnergyDivisor(
-                            probe.setup().patch().heights(),
-                            RefractiveIndex.KERATIN,
-                            CoherenceWindow.ofCoherenceLength(10e-6))
-                    .ofColors(Direction.ofDegrees(0, 0), probe.setup().cie());
-            // The table's window may be shorter by a mip level, with wider orders.
-            assertThat((double) values.get(312)).isCloseTo(above, within(0.1));
-            assertThat(values.get(312 + 625)).isEqualTo(values.get(312));
-        }
     }
 }

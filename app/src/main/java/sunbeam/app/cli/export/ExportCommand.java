@@ -162,10 +162,10 @@ public final class ExportCommand extends FileCommand {
         }
         UsageException.requireWithin("--samples", samples == null ? 0 : samples, 0, MOST_SAMPLES);
         Energy rule = energy.choices().get(ENERGY);
-        if (rule != Energy.SCALAR && format != Format.NPZ && format != Format.BSDF) {
-            throw new UsageException("--energy conserve is for --format npz and bsdf, and " + format
-                    + " has no divisor by direction of light; leave it out");
-        }
+        UsageException.throwIf(
+                rule != Energy.SCALAR && !isSpectral(),
+                "--energy conserve divides at each wavelength, and colors of a table have none: give --format bsdf, or npz with"
+                        + " --channels spectral");
         double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance;
         Optional<String> shown = sceneName();
         long most = UsageException.parsed("--size ", () -> ByteSize.parse(size != null ? size : format.size(shown)));
@@ -260,23 +260,26 @@ public final class ExportCommand extends FileCommand {
         }
     }
 
+    private boolean isSpectral() {
+        return format == Format.BSDF || channels == NpzTable.Channels.SPECTRAL;
+    }
+
     private TableWriter writer(Choices asked, double tolerance, Optional<PageScene> page) {
-        boolean isSpectral = format == Format.BSDF || channels == NpzTable.Channels.SPECTRAL;
         if (channels != null && format != Format.NPZ) {
             throw new UsageException("--channels " + ValueKind.name(channels) + " is for --format npz, and " + format
                     + " has channels of its own; leave it out");
         }
-        if (bands != null && !isSpectral) {
+        if (bands != null && !isSpectral()) {
             throw new UsageException("--bands is of --format bsdf, and of npz with --channels spectral; leave it out");
         }
-        if (isSpectral) {
+        if (isSpectral()) {
             LightTable.requireNone(asked, List.of(MethodSettings.ILLUMINANT, MethodSettings.OBSERVER));
         }
         WavelengthBand range = asked.get(MethodSettings.WAVELENGTHS);
         return switch (format) {
             case NPZ -> {
                 NpzTable.Channels kind = channels == null ? NpzTable.Channels.XYZ : channels;
-                yield new NpzTable(kind, isSpectral ? bands(range, bands == null ? BANDS : bands) : null);
+                yield new NpzTable(kind, isSpectral() ? bands(range, bands == null ? BANDS : bands) : null);
             }
             case BSDF ->
                 new BsdfTable(range, bands == null ? 0 : bands(range, bands).count());

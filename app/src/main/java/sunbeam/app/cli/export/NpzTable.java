@@ -69,8 +69,7 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
     public Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
         String json = JsonOption.text(description(metadata));
         GridShape shape = grid.shape();
-        Optional<float[]> divisors =
-                metadata.divisor().map(found -> divisors(found, metadata.setup().cie()));
+        Optional<float[]> divisors = metadata.divisor().map(this::divisors);
         float[] colors = colors(shape, isSpectral() ? baker.bands(grid, bands) : List.of(grid));
         StreamContent content = stream -> {
             try (ZipOutputStream zip = new ZipOutputStream(stream)) {
@@ -141,16 +140,13 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
         return colors;
     }
 
-    /** Returns the divisor of each channel over y and x of the direction of light, -1 to 1; of colors, the mean by luminance. */
-    private float[] divisors(EnergyDivisor divisor, CieTable cie) {
+    /** Returns the divisor of each band over y and x of the direction of light, -1 to 1. */
+    private float[] divisors(EnergyDivisor divisor) {
         float[] values = new float[count() * LIGHTS * LIGHTS];
         IntStream.range(0, values.length).parallel().forEach(i -> {
             Direction light = EnergyDivisor.light(
                     2.0 * (i % LIGHTS) / (LIGHTS - 1) - 1, 2.0 * (i / LIGHTS % LIGHTS) / (LIGHTS - 1) - 1);
-            values[i] = (float)
-                    (isSpectral()
-                            ? divisor.at(light, 1e-9 * bands.nanometers()[i / (LIGHTS * LIGHTS)])
-                            : divisor.ofColors(light, cie));
+            values[i] = (float) divisor.at(light, 1e-9 * bands.nanometers()[i / (LIGHTS * LIGHTS)]);
         });
         return values;
     }

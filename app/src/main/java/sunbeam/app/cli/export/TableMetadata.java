@@ -51,8 +51,6 @@ record TableMetadata(
         GridErrors errors,
         Optional<EnergyDivisor> divisor) {
     private static final double FIRST_THETA = 30;
-    private static final String ONE_DIVISOR =
-            ", of colors one for all wavelengths, whose difference from one at each is in no error stated here";
     /** Pixels along a side of the map whose exposure is chosen. */
     private static final int MAP_SIDE = 200;
     // Full width at half maximum of a Gaussian, in standard deviations.
@@ -110,10 +108,9 @@ record TableMetadata(
 
     String error() {
         String sums = "error of " + errors.quantity() + ": " + comparedWith("sums over wavelengths", errors.sums());
-        String both = errors.reference().count() > 0
+        return errors.reference().count() > 0
                 ? sums + "; " + comparedWith("the reference", errors.reference())
                 : sums + "; beside the reference at none (--samples gives their number)";
-        return both + (divisor.isPresent() ? "; divisor of --energy conserve" + ONE_DIVISOR : "");
     }
 
     private static String comparedWith(String what, ErrorStatistics errors) {
@@ -174,9 +171,7 @@ record TableMetadata(
                 "light_sent_out_from_above_by_mirrors",
                 energy.map(EnergyBalance::ratio).orElse(null));
         fields.put("light_sent_out_at_m", energy.map(EnergyBalance::wavelength).orElse(null));
-        fields.put(
-                "energy",
-                divisor.isPresent() ? "conserve: rho is divided by divisor(y, x of light)" + ONE_DIVISOR : "scalar");
+        fields.put("energy", divisor.isPresent() ? "conserve: rho is divided by divisor(y, x of light)" : "scalar");
         fields.put(
                 "unit",
                 "1: a flat mirror in specular direction has X, Y, Z of the light with Y = 1 under the asked window");
