@@ -25,7 +25,7 @@ enum ValueCommand {
             for (double[] line : file.rows()) {
                 for (int i = 1; i < line.length; i++) {
                     double angle = Double.parseDouble(file.header().get(i));
-                    double[] row = {40, 0, Math.abs(angle), angle < 0 ? 180 : 0, line[0]};
+                    double[] row = {62, 0, Math.abs(angle), angle < 0 ? 180 : 0, line[0]};
                     all.add(new Known(row, line[i]));
                 }
             }
@@ -34,7 +34,7 @@ enum ValueCommand {
 
         @Override
         String words() {
-            return "--theta-i 40 --azimuth 0 --angles=-12:12:0.25 --wavelengths 450:650:100 --peaks maximum --output known";
+            return "--theta-i 62 --azimuth 0 --angles=-12:12:0.25 --wavelengths 450:650:100 --peaks maximum --output known";
         }
     },
     ORDERS(SameQuantityTest.WINDOW + "--average ensemble --tolerance 1e-3") {
@@ -59,32 +59,22 @@ enum ValueCommand {
     },
     BRDF_MAP("") {
         @Override
-        double[] quantity(CsvFile rows, int i) {
-            return color(rows, i);
-        }
-
-        @Override
         List<Known> read(Workplace workplace) throws IOException {
             int side = 8;
             NpyImage map = NpyImage.read(workplace.resolve("known.npy"), side);
             return IntStream.range(0, side * side)
                     .filter(i -> map.inDisc(i / side, i % side))
                     .mapToObj(i -> new Known(
-                            row(40, 10, map.place(i % side), -map.place(i / side)), map.xyz(i / side, i % side)))
+                            row(62, 10, map.place(i % side), -map.place(i / side)), map.xyz(i / side, i % side)))
                     .toList();
         }
 
         @Override
         String words() {
-            return "--size 8 --theta-i 40 --phi-i 10 --no-annotate --output known.png --linear known.npy";
+            return "--size 8 --theta-i 62 --phi-i 10 --no-annotate --output known.png --linear known.npy";
         }
     },
     COLOR("") {
-        @Override
-        double[] quantity(CsvFile rows, int i) {
-            return color(rows, i);
-        }
-
         @Override
         List<Known> read(Workplace workplace) throws IOException {
             List<Known> all = new ArrayList<>();
@@ -193,7 +183,10 @@ enum ValueCommand {
     }
 
     /** Returns the command's quantity from a row of {@code reflectance}. */
-    abstract double[] quantity(CsvFile rows, int i);
+    double[] quantity(CsvFile rows, int i) {
+        double gain = rows.at(i, "gain");
+        return Arrays.stream(xyz(rows, i)).map(value -> gain * value).toArray();
+    }
 
     abstract List<Known> read(Workplace workplace) throws IOException;
 
@@ -206,11 +199,6 @@ enum ValueCommand {
 
     String label() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
-    }
-
-    private static double[] color(CsvFile rows, int i) {
-        double gain = rows.at(i, "gain");
-        return Arrays.stream(xyz(rows, i)).map(value -> gain * value).toArray();
     }
 
     static double[] xyz(CsvFile rows, int i) {

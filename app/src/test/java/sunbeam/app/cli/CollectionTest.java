@@ -5,13 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import de.siegmar.fastcsv.reader.CsvReader;
 import de.siegmar.fastcsv.reader.NamedCsvRecord;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -22,56 +20,13 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import java.util.function.DoubleUnaryOperator;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import picocli.CommandLine;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 
-final class CollectionTest extends CommandLineFixture {
-    private static final double PERIOD = 2e-6;
-
-    private Path scans;
-    private Path report;
-
-    @BeforeEach
-    void prepare() throws IOException {
-        scans = Files.createDirectory(folder.resolve("scans"));
-        report = folder.resolve("report");
-        scan("grating.txt", x -> 50 * Math.sin(2 * Math.PI * x / PERIOD));
-    }
-
-    /** Writes a scan of 64 equal rows of 64 samples, 0.25 um apart, in a text format that states its scale. */
-    private void scan(String name, DoubleUnaryOperator heights) throws IOException {
-        String header = "# Channel: Height\n# Width: 16 µm\n# Height: 16 µm\n# Value units: nm\n";
-        scan("scans/" + name, header, 64, 64, (column, row) -> heights.applyAsDouble(column * 0.25e-6));
-    }
-
-    private int inspect(String words) {
-        forgetOutput();
-        return sunbeam("inspect --output @report " + words);
-    }
-
-    private List<NamedCsvRecord> table(String name) throws IOException {
-        try (CsvReader<NamedCsvRecord> reader =
-                CsvReader.builder().ofNamedCsvRecord(Files.readString(report.resolve(name)))) {
-            return reader.stream().toList();
-        }
-    }
-
-    private List<String> column(String name) throws IOException {
-        return table("table.csv").stream().map(row -> row.getField(name)).toList();
-    }
-
-    private FileTime time(String picture) throws IOException {
-        return Files.getLastModifiedTime(report.resolve("surfaces").resolve(picture));
-    }
-
+final class CollectionTest extends CollectionFixture {
     /** The first waits for the second, and ends after it. */
     @Test
     void twoSurfacesAreMadeAtOnceAndTheirRowsKeepTheirOrder() throws IOException {
@@ -141,41 +96,6 @@ final class CollectionTest extends CommandLineFixture {
         assertComplaint(ExitCode.UNUSABLE_INPUT, "inspect @scans --output @report --force", "has no scan");
     }
 
-    @Test
-    void aBadFileIsARowAndDoesNotStopTheRest() throws IOException {
-        Files.writeString(scans.resolve("a bad one.gwy"), "no scan");
-
-        assertThat(inspect("@scans")).isEqualTo(4);
-
-        assertThat(column("exit_code")).containsExactly("4", "0");
-        assertThat(column("message").get(0)).contains("a bad one.gwy is neither an image nor a scan");
-        assertThat(column("verdict_code").get(1)).isEqualTo("sure_grating");
-        assertThat(err.toString()).hasLineCount(1).contains("a bad one.gwy");
-    }
-
-    @Test
-    void aMissingFileOfSeveralAndAPipeAreRows() throws Exception {
-        assertThat(new ProcessBuilder("mkfifo", scans.resolve("a pipe.txt").toString())
-                        .start()
-                        .waitFor())
-                .isZero();
-
-        assertThat(inspect("@scans @missing.gsf")).isEqualTo(4);
-
-        assertThat(column("exit_code")).containsExactly("4", "0", "4");
-        assertThat(column("message").get(0)).contains("a pipe.txt", "it is no regular file");
-        assertThat(column("message").get(2)).contains("missing.gsf", "existing file");
-    }
-
-    @Test
-    void aDescriptorOfItselfIsARow() throws IOException {
-        Files.writeString(scans.resolve("a.json"), "{\"heights\": \"a.json\", \"width\": \"10 um\"}");
-
-        assertThat(inspect("@scans")).isEqualTo(4);
-
-        assertThat(column("exit_code")).containsExactly("4", "0");
-    }
-
     /** Noise has no period that evaluate could measure. */
     @Test
     void aSurfaceWithoutPeriodHasInspectsVerdictInEvaluatesTable() throws IOException {
@@ -193,131 +113,6 @@ final class CollectionTest extends CommandLineFixture {
         assertThat(column("verdict_code")).isEqualTo(inspected);
         assertThat(inspected.get(1)).isNotEmpty();
         assertThat(out.toString()).doesNotContain("failed");
-    }
-
-    /** Terabytes outside of the folder would take hours to read; the kernel's files may never end. */
-    @Test
-    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-    void filesOutsideOfTheFolderAreNotRead() throws IOException {
-        Path outside = folder.resolve("outside.gsf");
-        try (RandomAccessFile sparse = new RandomAccessFile(outside.toFile(), "rw")) {
-            sparse.setLength(1L << 40);
-        }
-        Files.createSymbolicLink(scans.resolve("a link.gsf"), outside);
-        Files.writeString(scans.resolve("b.json"), "{\"heights\": \"../outside.gsf\"}");
-        Files.writeString(scans.resolve("c.json"), "{\"heights\": \"/proc/self/pagemap\", \"width\": \"10um\"}");
-        Files.createSymbolicLink(scans.resolve("d.json"), Path.of("/proc/self/pagemap"));
-        Files.createSymbolicLink(scans.resolve("e.gsf"), Path.of("e.gsf"));
-        Files.createDirectory(scans.resolve("folder.png"));
-
-        assertThat(inspect("@scans")).isEqualTo(4);
-
-        assertThat(column("exit_code")).containsExactly("4", "4", "4", "4", "4", "0");
-        assertThat(column("message").get(1)).contains("b.json", "leads out of the descriptor's own folder");
-        assertThat(column("message").get(2)).contains("c.json", "leads out of the descriptor's own folder");
-        assertThat(column("message").get(3)).contains("d.json", "a link that leads out");
-        assertThat(column("message").get(4)).contains("e.gsf", "existing file");
-        assertThat(column("verdict_code").get(5)).isEqualTo("sure_grating");
-        assertThat(inspect("@scans --resume")).isEqualTo(4);
-        assertThat(column("exit_code")).containsExactly("4", "4", "4", "4", "4", "0");
-        // JUnit warns of links that lead out of its folder.
-        Files.delete(scans.resolve("d.json"));
-    }
-
-    /** A scan whose descriptor cannot be used is a surface of its own. */
-    @Test
-    void aBrokenDescriptorDoesNotHideItsScan() throws IOException {
-        Files.writeString(scans.resolve("b.json"), "{\"heights\": \"grating.txt\", \"width\": -5}");
-        Files.writeString(scans.resolve("c.json"), "{\"heights\": \"grating.txt\", \"no key\": 1}");
-
-        assertThat(inspect("@scans")).isEqualTo(4);
-
-        assertThat(column("file")).hasSize(3);
-        assertThat(column("exit_code")).containsExactly("4", "4", "0");
-    }
-
-    @Test
-    void aLinkToAScanOutsideOfTheFolderIsARow() throws IOException {
-        Path inside = scans.resolve("grating.txt");
-        Path link = Files.createSymbolicLink(scans.resolve("a.txt"), Files.copy(inside, folder.resolve("outside.txt")));
-        Files.writeString(scans.resolve("b.json"), "{\"heights\": \"a.txt\"}");
-        Files.createSymbolicLink(scans.resolve("c.txt"), inside);
-
-        assertThat(inspect("@scans")).isEqualTo(4);
-
-        assertThat(column("exit_code")).containsExactly("4", "4", "0", "0");
-        assertThat(column("message").get(0)).contains("a.txt is a link that leads out of the folder");
-        assertThat(inspect("@scans/a.txt @scans/c.txt --force")).isZero();
-        Files.delete(link);
-    }
-
-    @Test
-    void theLongestNamesHaveRowsAndPictures() throws IOException {
-        for (String last : List.of("a", "b")) {
-            Files.copy(scans.resolve("grating.txt"), scans.resolve("x".repeat(254) + last));
-        }
-
-        assertSuccess(inspect("@scans"));
-
-        assertThat(column("verdict_code")).containsOnly("sure_grating").hasSize(3);
-        assertThat(report.resolve("surfaces").toFile().list())
-                .containsExactlyInAnyOrder("grating.png", "x".repeat(200) + ".png", "x".repeat(200) + "-2.png");
-    }
-
-    @Test
-    void anOutputThatCannotBeWrittenIsARow() throws IOException {
-        Files.copy(scans.resolve("grating.txt"), scans.resolve("b.txt"));
-        Files.createDirectories(report.resolve("surfaces/b.png"));
-
-        assertThat(inspect("@scans --force")).isEqualTo(6);
-
-        assertThat(column("exit_code")).containsExactly("6", "0");
-        assertComplaint(ExitCode.OUTPUT_EXISTS, "inspect @scans --output @report", "table.csv: it exists");
-        Files.delete(report.resolve("table.csv"));
-        Files.delete(report.resolve("reports.jsonl"));
-        assertComplaint(
-                ExitCode.OUTPUT_EXISTS, "inspect @scans --output @report", "surfaces/b.png: it exists", "--resume");
-        Files.delete(report.resolve("surfaces/b.png"));
-        assertSuccess(inspect("@scans --resume"));
-    }
-
-    @Test
-    void namesAreNoFormulasAndControlNothing() throws IOException {
-        String name = "=HYPERLINK(1)\u001b[31m\u202e\rred";
-        Files.move(scans.resolve("grating.txt"), scans.resolve(name));
-        Path here = Files.createDirectory(folder.resolve("@report"));
-
-        assertThat(sunbeam("color " + scans + " --angles -40:40:4 --output " + here))
-                .isZero();
-
-        String colors = Files.readString(here.resolve("surfaces").resolve(name + ".csv"));
-        assertThat(colors)
-                .contains("\n'=HYPERLINK(1)\\u001b[31m\\u202e\\u000dred,")
-                .doesNotContain("\u001b", "\r");
-        String table = Files.readString(here.resolve("table.csv"));
-        assertThat(table).contains("=HYPERLINK(1)\\u001b[31m\\u202e\\u000dred").doesNotContain("\u001b", "\r");
-        assertThat(out.toString() + err).doesNotContain("\u001b", "\u202e", "\r");
-    }
-
-    @Test
-    void namesWithBlanksAndLineBreaksAndEqualNamesHaveRowsAndPicturesOfTheirOwn() throws IOException {
-        Path other = Files.createDirectory(folder.resolve("b"));
-        Files.copy(scans.resolve("grating.txt"), other.resolve("grating.txt"));
-        Files.copy(scans.resolve("grating.txt"), other.resolve("two\nlines \"and\" blanks .txt "));
-
-        assertSuccess(inspect("@scans " + other));
-
-        assertThat(column("file"))
-                .containsExactly(
-                        scans.resolve("grating.txt").toString(),
-                        other.resolve("grating.txt").toString(),
-                        other.resolve("two\nlines \"and\" blanks .txt ").toString());
-        assertThat(report.resolve("surfaces").toFile().list())
-                .containsExactlyInAnyOrder("grating.png", "grating-2.png", "two\nlines \"and\" blanks .png");
-        // The sheet tells the equal files apart by their folders' names.
-        BufferedImage sheet = ImageIO.read(report.resolve("sheet.png").toFile());
-        assertThat(sheet.getRGB(16, 40, 284, sheet.getHeight() - 40, null, 0, 284))
-                .isNotEqualTo(sheet.getRGB(316, 40, 284, sheet.getHeight() - 40, null, 0, 284));
     }
 
     @Test
@@ -396,22 +191,6 @@ final class CollectionTest extends CommandLineFixture {
                 .isEqualTo(40);
     }
 
-    @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            inspect @empty --output @report               | UNUSABLE_INPUT | the folder & empty has no scan
-            inspect blaze --resume --output @report       | USAGE          | --resume is for several
-            inspect blaze --theta-i 0:80 --output @report | USAGE          | --theta-i & min:max:step
-            color @scans --with blaze --output @report    | USAGE          | --with is for one patch
-            color @scans --output a.png                   | USAGE          | --output & folder
-            inspect blaze no-such-file --output @report   | UNUSABLE_INPUT | no-such-file' is neither & needs quotes
-            evaluate blaze --resume --output @report      | USAGE          | --resume is for several
-            precompute --patch @scans --output @r.h5      | UNUSABLE_INPUT | scans & folder
-            """)
-    void mistakesAreOneLine(String command, ExitCode code, String words) throws IOException {
-        Files.createDirectory(folder.resolve("empty"));
-        assertComplaint(code, command, words.split(" & "));
-    }
-
     @Test
     void ordersAndEvaluateTakeAFolderAndAFailureIsARow() throws IOException {
         Files.writeString(scans.resolve("a bad one.gwy"), "no scan");
@@ -443,13 +222,5 @@ final class CollectionTest extends CommandLineFixture {
                 .startsWith("file,exit_code,message,theta_i_deg");
         assertThat(report.resolve("reports-1-of-2.jsonl")).isEmptyFile();
         assertThat(out.toString()).startsWith("0 surfaces");
-    }
-
-    @Test
-    void whatOthersOrOtherPartsWroteStays() throws IOException {
-        assertSuccess(inspect("@scans --task 2/2"));
-        Files.writeString(report.resolve("table.csv"), "mine");
-        assertComplaint(ExitCode.OUTPUT_EXISTS, "inspect @scans --output @report", "table.csv", "--force");
-        assertThat(report.resolve("table.csv")).hasContent("mine");
     }
 }
