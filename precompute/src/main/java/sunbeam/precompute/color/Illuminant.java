@@ -15,8 +15,8 @@ public record Illuminant(String name, double[] power) {
     public static final List<String> NAMES = List.of("D65", "D50", "A", "E", "F11", "LED-B3");
 
     // Of an order in smooth light, and beyond 720 nm, where eyes see a thousandth. Daylight, for which plans are made,
-    // has 1.0 and 3.1 %;
-    // of CIE 15's other lamps those without lines have 1.1 and 1.2 %, with lines 2.4 and 5.7 % or more.
+    // has 1.0 and 3.1 %; of CIE 15's other lamps those without lines have 1.1 and 1.2 %, with lines 2.4 and 5.7 % or
+    // more.
     private static final double LARGEST_ERROR = 0.0125;
     private static final double LARGEST_ERROR_OF_DARK_RED = 0.035;
     private static final int DARK_RED = 720;

@@ -13,8 +13,8 @@ import sunbeam.precompute.numerics.Lagrange;
 /**
  * Tabulated relative power of a light, at least 0, by wavelength in nanometers from 380 or below to 780 or above, and its values at each
  * nanometer (CIE 167:2005). Equal steps are interpolated by Sprague's polynomials of degree 5, others by a natural cubic spline. Rows too far
- * apart for the spectrum, as of lamps with lines, are joined by lines. Rows closer than a nanometer are averaged with a triangle of 1 nm full
- * width at half maximum, so that no line is lost. The map must not change afterwards.
+ * apart for the spectrum, as of lamps with lines, are joined by lines. Tables with rows closer than a nanometer are averaged with a triangle of 1 nm
+ * full width at half maximum, so that no line is lost. The map must not change afterwards.
  */
 record SpectralRows(NavigableMap<Double, Double> power) {
     // Rows on each side that predict the row between them.
@@ -91,25 +91,10 @@ record SpectralRows(NavigableMap<Double, Double> power) {
         return nanometers -> Sprague.at(padded, (nanometers - first) / step);
     }
 
-    private double average(double nanometers) {
-        double from = Math.max(nanometers - 1, power.firstKey());
-        double to = Math.min(nanometers + 1, power.lastKey());
-        return hasCloseRows(from, to) ? average(nanometers, from, to) : Lagrange.between(power, nanometers);
-    }
-
-    private boolean hasCloseRows(double from, double to) {
-        Double row = power.floorKey(from);
-        for (Double next : power.subMap(row, false, power.ceilingKey(to), true).keySet()) {
-            if (next - row < 1) {
-                return true;
-            }
-            row = next;
-        }
-        return false;
-    }
-
     /** Simpson's rule is exact for products of two linear functions. */
-    private double average(double middle, double from, double to) {
+    private double average(double middle) {
+        double from = Math.max(middle - 1, power.firstKey());
+        double to = Math.min(middle + 1, power.lastKey());
         NavigableSet<Double> ends =
                 new TreeSet<>(power.subMap(from, true, to, true).keySet());
         ends.addAll(List.of(from, middle, to));
@@ -129,8 +114,7 @@ record SpectralRows(NavigableMap<Double, Double> power) {
     /** Interpolation of equal steps by polynomials of degree 5 with continuous second derivatives (T. Sprague 1880; CIE 167:2005). */
     private static final class Sprague {
         // Weights of the first six rows, times 209, in the two rows that the method adds before them, and mirrored
-        // behind
-        // the last.
+        // behind the last.
         private static final double[][] BEFORE = {
             {884, -1960, 3033, -2648, 1080, -180}, {508, -540, 488, -367, 144, -24}
         };
