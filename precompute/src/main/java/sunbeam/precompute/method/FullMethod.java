@@ -46,7 +46,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
 
     static MethodPlan planned(Surface surface, SpectrumPlan plan, FresnelFactor fresnel) {
         return new MethodPlan(
-                plan.summary(),
+                plan.summary() + ", " + plan.steps(),
                 plan::reasons,
                 Optional.of(plan),
                 Optional.empty(),

@@ -87,6 +87,11 @@ public record SpectrumPlan(
                 sampling.summary(range));
     }
 
+    /** Returns the work of the slowest pixel in words: a deeper relief needs more terms and more wavelengths. */
+    public String steps() {
+        return Text.format("up to %,d steps a pixel", sampling.loopSteps(this));
+    }
+
     public static String percent(double share) {
         return new BigDecimal(100 * share)
                 .round(new MathContext(3))

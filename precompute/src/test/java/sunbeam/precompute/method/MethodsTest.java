@@ -15,11 +15,14 @@ import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
+import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.LevelBakers.Lazy;
 import sunbeam.precompute.optics.Direction;
@@ -141,6 +144,21 @@ class MethodsTest {
     @Test
     void listsThatDifferByLessThanATexelHaveTablesOfTheirOwn() {
         assertThat(key(pairs(20))).isEqualTo(key(pairs(20))).isNotEqualTo(key(pairs(20.001)));
+    }
+
+    private static double steps(double relief) {
+        HeightMap map = Surfaces.random(128, 128, 0.5e-6, relief, 1);
+        MethodPlan plan = FullMethod.of(Choices.none())
+                .plan(new Surface(map, "deep", CieTable.load()), VisibleRange.of(pairs(20)));
+        Matcher steps = Pattern.compile("up to ([0-9,]+) steps a pixel").matcher(plan.summary());
+        assertThat(steps.find()).as(plan.summary()).isTrue();
+        return Double.parseDouble(steps.group(1).replace(",", ""));
+    }
+
+    /** Terms grow with the relief, but for some ten of them; wavelengths do where interference decides their number. */
+    @Test
+    void aPlanSaysTheWorkOfADeepRelief() {
+        assertThat(steps(8e-6) / steps(4e-6)).isBetween(1.5, 4.1);
     }
 
     private final AtomicInteger made = new AtomicInteger();
