@@ -10,9 +10,3 @@ vec3 diffractionVector(vec3 wi, vec3 wr) {
 float halfAngleCosine(vec3 wi, vec3 wr) {
     return 0.5 * length(wi + wr);
 }
-
-// Kirchhoff's factor 1 + wi . wr (Stam 1999).
-float kirchhoffFactor(vec3 wi, vec3 wr) {
-    vec3 sum = wi + wr;
-    return 0.5 * dot(sum, sum);
-}

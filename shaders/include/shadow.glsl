@@ -1,6 +1,6 @@
 #include "include/light_list.glsl"
 
-// Shadows of groups of lights (app.render.Shadows): a depth map for each with percentage-closer filtering (Reeves et al. 1987); the penumbra
+// Shadows of groups of lights (app.render.LightList): a depth map for each with percentage-closer filtering (Reeves et al. 1987); the penumbra
 // widens with the distance of the occluder (Fernando 2005).
 
 // Depth of the first surface that the light meets, 0 to 1, in tiles, one for each group.

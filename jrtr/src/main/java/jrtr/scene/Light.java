@@ -53,7 +53,6 @@ public record Light(Vector3fc towards, Vector3fc radiance, double deviation, Vec
                 radiances[3 * i + c] = lights.get(i).radiance.get(c);
             }
         }
-        program.set("lightCount", lights.size());
         program.set("lightDirections", directions);
         program.set("lightRadiances", radiances);
     }

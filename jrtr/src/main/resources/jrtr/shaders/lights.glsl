@@ -1,7 +1,6 @@
 // Directional lights, which the engine sets (jrtr.scene.Light).
 
 const int MAX_LIGHTS = 8;
-uniform int lightCount;
 // Unit vectors towards the lights, world space.
 uniform vec3 lightDirections[MAX_LIGHTS];
 // Linear color, in the unit of the application's shaders.

@@ -58,7 +58,7 @@ public final class FileActions {
         SCENE("scene", "json"),
         PATCH(
                 "patch (descriptor, image or scan)",
-                "json png jpg jpeg bmp gif tif tiff gwy gsf spm nid mi sur sdf npy x3p jpk ibw txt csv asc xyz"),
+                "json png jpg jpeg bmp gif tif tiff gwy gsf spm 000 di jpk ibw nid stp top mi sdf x3p sur bcr bcrf opd dat plu al3d vk3 vk4 npy txt csv asc xyz"),
         MESH("mesh", "obj ply glb gltf"),
         TEXTURE("texture", "png jpg jpeg bmp gif"),
         PICTURE("picture", "png");

@@ -10,11 +10,16 @@ import java.awt.Rectangle;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.swing.JComponent;
+import javax.swing.filechooser.FileNameExtensionFilter;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.viewer.MapView.GratingOrders;
 import sunbeam.app.viewer.PickedLight.Spectrum;
@@ -28,6 +33,19 @@ import sunbeam.precompute.plan.GaussianArea;
 
 /** The picture, the labels and orders that are drawn over a map, and the plot of spectra. */
 class ComponentsTest {
+    @Test
+    void theDialogShowsFilesOfAllFormatsOfTheGuide() throws IOException {
+        String guide = Files.readString(Path.of("..", "docs", "guide.md"));
+        String formats = guide.substring(guide.indexOf("- Gwyddion `.gwy`"), guide.indexOf("- text: a matrix"));
+        FileNameExtensionFilter filter = FileActions.Kind.PATCH.filter();
+        assertThat(Pattern.compile("`\\.([a-z0-9]+)`")
+                        .matcher(formats)
+                        .results()
+                        .map(match -> match.group(1)))
+                .hasSizeGreaterThan(20)
+                .isSubsetOf(filter.getExtensions());
+    }
+
     @Test
     void aPictureOfFewPixelsIsLinearBetweenTheirMiddles() {
         BufferedImage few = random(7, 5);

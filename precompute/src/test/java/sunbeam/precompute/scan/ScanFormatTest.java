@@ -22,7 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** All formats give the same surface, and misleading files a complaint only; FuzzRegressionTest damages all of them. */
+/** All formats give the same surface, and misleading files a complaint only. */
 class ScanFormatTest {
     /** Seven digits of 500 nm, as 32-bit floats have. */
     private static final double ROUNDING = 5e-14;
