@@ -2,6 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
 import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.numerics.Quantiles;
@@ -9,7 +10,7 @@ import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Detection of tilted heights that were rounded to steps as high as the leveled relief: the edges of the steps are straight and evenly spaced, as
- * lines of a grating. Second differences along the rows are whole steps, whatever plane was subtracted; the tilt is that of most neighbors.
+ * lines of a grating. Second differences along x and y are whole steps, whatever plane was subtracted; the tilt is that of most neighbors.
  */
 final class RoundedHeights {
     // Rounding has a variance of 1 / 12 of a step's square; the surface's own may be twice that.
@@ -29,10 +30,8 @@ final class RoundedHeights {
             return OptionalDouble.empty();
         }
         double deviation = Math.sqrt(StatUtils.variance(scan.heights()));
-        double[] bends = IntStream.range(1, scan.heights().length - 1)
-                .filter(i -> i % scan.columns() > 0 && (i + 1) % scan.columns() > 0)
-                .mapToDouble(i -> Math.abs(scan.heights()[i - 1] - 2 * scan.heights()[i] + scan.heights()[i + 1]))
-                .toArray();
+        double[] bends =
+                DoubleStream.concat(bends(scan, 1), bends(scan, scan.columns())).toArray();
         double[] edges =
                 Arrays.stream(bends).filter(bend -> bend > WHOLE * deviation).toArray();
         if (edges.length == 0) {
@@ -45,6 +44,14 @@ final class RoundedHeights {
         double tilt = scan.columns() * slope(scan, 1) + scan.rows() * slope(scan, scan.columns());
         boolean rounded = whole >= MOST * bends.length && tilt >= LEAST_TILT * step && deviation <= OWN * step;
         return rounded ? OptionalDouble.of(step) : OptionalDouble.empty();
+    }
+
+    /** Returns sizes of second differences of samples that are apart by 1, along x, or by the number of columns, along y. */
+    private static DoubleStream bends(HeightMap scan, int apart) {
+        return IntStream.range(apart, scan.heights().length - apart)
+                .filter(i -> apart > 1 || (i % scan.columns() > 0 && (i + 1) % scan.columns() > 0))
+                .mapToDouble(
+                        i -> Math.abs(scan.heights()[i - apart] - 2 * scan.heights()[i] + scan.heights()[i + apart]));
     }
 
     private static double slope(HeightMap scan, int apart) {

@@ -96,14 +96,19 @@ public final class ScanFaults {
         return faults;
     }
 
-    private static Offset offset(HeightMap scan, int row) {
+    /** Returns what the next row is higher, in meters, in evenly spaced columns where both rows are measured. */
+    private static double[] differences(HeightMap scan, int row) {
         int stride = (scan.columns() + MOST_COLUMNS - 1) / MOST_COLUMNS;
         double[] heights = scan.heights();
-        double[] differences = IntStream.range(0, scan.columns() / stride)
+        return IntStream.range(0, scan.columns() / stride)
                 .map(i -> row * scan.columns() + i * stride)
                 .mapToDouble(i -> heights[i + scan.columns()] - heights[i])
                 .filter(Double::isFinite)
                 .toArray();
+    }
+
+    private static Offset offset(HeightMap scan, int row) {
+        double[] differences = differences(scan, row);
         double median = median(Arrays.stream(differences));
         double spread =
                 Spikes.GAUSSIAN * median(Arrays.stream(differences).map(difference -> Math.abs(difference - median)));
@@ -221,20 +226,38 @@ public final class ScanFaults {
             for (int row = 0; row < scan.rows(); row++) {
                 unmeasured.set(row, isMissing(row) || isConstant(row, -1, 0));
             }
-            long same = IntStream.range(scan.columns(), scan.heights().length)
-                    .filter(i -> scan.heights()[i] == scan.heights()[i - scan.columns()])
-                    .count();
-            long samples = (long) (scan.rows() - unmeasured.cardinality()) * scan.columns();
-            boolean noisy = samples > 2 * same;
             BitSet repeated = new BitSet();
-            for (int row = 1; row < scan.rows() && noisy; row++) {
+            for (int row = 1; row < scan.rows(); row++) {
                 repeated.set(row, isConstant(row, row - 1, slack));
             }
-            // A single row that equals the one before may be the crest of a symmetric surface.
-            runs(repeated).stream().filter(run -> run[1] - run[0] > 1).forEach(run -> unmeasured.set(run[0], run[1]));
+            if (areOthersNoisy(repeated, slack)) {
+                // A single row that equals the one before may be the crest of a symmetric surface.
+                runs(repeated).stream()
+                        .filter(run -> run[1] - run[0] > 1)
+                        .forEach(run -> unmeasured.set(run[0], run[1]));
+            }
             if (runs(unmeasured).size() * ROWS_PER_RUN > scan.rows() - unmeasured.cardinality()) {
                 unmeasured.clear();
             }
+        }
+
+        /**
+         * True if most samples of the other rows differ from those before by more than the rows' offset: rows of a computed surface that is
+         * constant along y differ at defects alone.
+         */
+        private boolean areOthersNoisy(BitSet repeated, double slack) {
+            long[] alike = new long[2];
+            for (int row = 1; row < scan.rows(); row++) {
+                if (!repeated.get(row) && unmeasured.get(row - 1, row + 1).isEmpty()) {
+                    double[] differences = differences(scan, row - 1);
+                    double offset = median(Arrays.stream(differences));
+                    alike[0] += Arrays.stream(differences)
+                            .filter(difference -> Math.abs(difference - offset) <= slack)
+                            .count();
+                    alike[1] += differences.length;
+                }
+            }
+            return 2 * alike[0] < alike[1];
         }
 
         private boolean isMissing(int row) {

@@ -235,6 +235,14 @@ class VerdictTest {
                 .startsWith("A grating of ");
     }
 
+    /** An oblique step, on a surface that is constant along x, is the only bend along x. */
+    @Test
+    void aStepAcrossLinesIsNoRounding() {
+        assertThat(verdict(leveled((x, y) ->
+                        sine(y, 1.5e-6) + 0.4 * sine(y, 3e-6) + 5e-3 * x + (x + 0.3 * y > 9e-6 ? 180e-9 : 0))))
+                .doesNotContain("come in steps");
+    }
+
     private static Patch leveled(DoubleBinaryOperator heights) {
         return piece(Leveling.PLANE.apply(Surfaces.of(150, 150, 100e-9, heights)));
     }
