@@ -10,6 +10,7 @@ import java.io.File;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -155,7 +156,9 @@ record CollectionFolder(Path folder, String part, Map<String, ObjectNode> earlie
         }
         Path file = file(REPORTS, ".jsonl");
         try {
-            Files.writeString(file, row + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+            // Halves of surrogates, as of names that were cut, become question marks instead of an error.
+            byte[] line = (row + "\n").getBytes(StandardCharsets.UTF_8);
+            Files.write(file, line, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
         } catch (IOException failure) {
             throw OutputException.of(file, failure);
         }

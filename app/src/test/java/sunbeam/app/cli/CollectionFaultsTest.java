@@ -24,13 +24,15 @@ final class CollectionFaultsTest extends CollectionFixture {
         Files.writeString(scans.resolve("b.json"), "{\"heights\": \"b.json\", \"width\": \"10 um\"}");
         Files.writeString(scans.resolve("c.json"), "{\"heights\": \"grating.txt\", \"width\": -5}");
         Files.writeString(scans.resolve("d.json"), "{\"heights\": \"grating.txt\", \"no key\": 1}");
+        // Half of a pair of surrogates.
+        Files.writeString(scans.resolve("e.json"), "{\"heights\": \"grating.txt\", \"width\": \"20 \\ud800um\"}");
 
         assertThat(inspect("@scans")).isEqualTo(4);
 
-        assertThat(column("exit_code")).containsExactly("4", "4", "4", "4", "0");
+        assertThat(column("exit_code")).containsExactly("4", "4", "4", "4", "4", "0");
         assertThat(column("message").get(0)).contains("a bad one.gwy is neither an image nor a scan");
-        assertThat(column("verdict_code").get(4)).isEqualTo("sure_grating");
-        assertThat(err.toString()).hasLineCount(4).contains("a bad one.gwy");
+        assertThat(column("verdict_code").get(5)).isEqualTo("sure_grating");
+        assertThat(err.toString()).hasLineCount(5).contains("a bad one.gwy");
     }
 
     @Test

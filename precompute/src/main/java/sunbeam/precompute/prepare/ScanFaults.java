@@ -223,14 +223,15 @@ public final class ScanFaults {
         MeasuredRows(HeightMap scan) {
             this.scan = scan;
             double slack = ROUNDING * Math.max(Math.abs(scan.minimum()), Math.abs(scan.maximum()));
-            for (int row = 0; row < scan.rows(); row++) {
-                unmeasured.set(row, isMissing(row) || isConstant(row, -1, 0));
-            }
+            BitSet constant = new BitSet();
             BitSet repeated = new BitSet();
-            for (int row = 1; row < scan.rows(); row++) {
-                repeated.set(row, isConstant(row, row - 1, slack));
+            for (int row = 0; row < scan.rows(); row++) {
+                unmeasured.set(row, isMissing(row));
+                constant.set(row, isConstant(row, -1, 0));
+                repeated.set(row, row > 0 && isConstant(row, row - 1, slack));
             }
-            if (areOthersNoisy(repeated, slack)) {
+            if (areOthersNoisy(constant, repeated, slack)) {
+                unmeasured.or(constant);
                 // A single row that equals the one before may be the crest of a symmetric surface.
                 runs(repeated).stream()
                         .filter(run -> run[1] - run[0] > 1)
@@ -243,12 +244,14 @@ public final class ScanFaults {
 
         /**
          * True if most samples of the other rows differ from those before by more than the rows' offset: rows of a computed surface that is
-         * constant along y differ at defects alone.
+         * constant along x or y differ at defects alone.
          */
-        private boolean areOthersNoisy(BitSet repeated, double slack) {
+        private boolean areOthersNoisy(BitSet constant, BitSet repeated, double slack) {
             long[] alike = new long[2];
             for (int row = 1; row < scan.rows(); row++) {
-                if (!repeated.get(row) && unmeasured.get(row - 1, row + 1).isEmpty()) {
+                if (!constant.get(row)
+                        && !repeated.get(row)
+                        && unmeasured.get(row - 1, row + 1).isEmpty()) {
                     double[] differences = differences(scan, row - 1);
                     double offset = median(Arrays.stream(differences));
                     alike[0] += Arrays.stream(differences)

@@ -29,9 +29,9 @@ public final class Text {
         return '"' + oneLine(shown) + '"';
     }
 
-    /** Replaces each control character (line breaks, escape sequences) by {@code ?}. */
+    /** Replaces each control character (line breaks, escape sequences) and each half of a pair of surrogates by {@code ?}. */
     public static String oneLine(String text) {
-        return text.replaceAll("[\\p{Cntrl}\\u2028\\u2029]", "?");
+        return text.replaceAll("[\\p{Cntrl}\\p{Cs}\\u2028\\u2029]", "?");
     }
 
     /** True if the names differ by at most two edits, and by at most half of the shorter name's letters. */

@@ -152,10 +152,12 @@ class ScanFaultsTest {
                 (x, y) -> 5e-8 * Math.cos(2 * Math.PI * x / 1e-6) * Math.cos(2 * Math.PI * y / 1.6e-6));
     }
 
-    /** Rows of a computed surface that is constant along y equal each other but for defects: they are its measurement. */
-    @Test
-    void linesAlongTheColumnsWithoutNoiseAreMeasured() {
-        double[] heights = heights((x, y) -> 60e-9 * Math.sin(2 * Math.PI * x / 900e-9) + 0.002 * y);
+    /** Rows of a computed surface that is constant along x or y equal each other but for defects: they are its measurement. */
+    @ParameterizedTest
+    @CsvSource({"1, 0", "0, 1"})
+    void linesWithoutNoiseAreMeasured(double alongX, double alongY) {
+        double[] heights = heights(
+                (x, y) -> 60e-9 * Math.sin(2 * Math.PI * (alongX * x + alongY * y) / 900e-9) + 0.002 * alongX * y);
         // Dust in the lower half leaves the upper one without a difference.
         for (int row = ROWS / 2; row < ROWS; row++) {
             heights[row * COLUMNS + row % COLUMNS] += 300e-9;
