@@ -127,7 +127,8 @@ final class PictureReader {
 
     private static List<ScanChannel> channels(BufferedImage image, long[] resolution) throws IOException {
         if (image.getColorModel() instanceof IndexColorModel palette) {
-            return channels(palette.convertToIntDiscrete(image.getRaster(), false), resolution);
+            // With colors that are opaque or transparent alone, Java's default gives alpha one bit.
+            return channels(palette.convertToIntDiscrete(image.getRaster(), palette.hasAlpha()), resolution);
         }
         ColorModel model = image.getColorModel();
         int space = model.getColorSpace().getType();

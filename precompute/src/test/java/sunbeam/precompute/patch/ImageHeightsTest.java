@@ -7,7 +7,9 @@ import static sunbeam.precompute.patch.PatchSettings.HEIGHT_UNIT;
 import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 
 import com.twelvemonkeys.imageio.metadata.tiff.TIFF;
+import java.awt.Transparency;
 import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -126,6 +128,21 @@ class ImageHeightsTest {
         }
         double[] samples = read(TestImages.palette(16, 16, grays, (c, r, b) -> r * 16 + c), "palette." + format, 255);
         assertSamples(samples, IntStream.range(0, 256).mapToDouble(i -> 255 - i).toArray());
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {Transparency.OPAQUE, Transparency.BITMASK, Transparency.TRANSLUCENT})
+    void transparentColorsOfAPaletteAreMissing(int transparency) throws IOException {
+        byte[] grays = {10, 20, 30};
+        byte[] alpha = {(byte) 255, (byte) (transparency == Transparency.TRANSLUCENT ? 100 : 255), 0};
+        IndexColorModel colors = transparency == Transparency.OPAQUE
+                ? new IndexColorModel(8, 3, grays, grays, grays)
+                : new IndexColorModel(8, 3, grays, grays, grays, alpha);
+        assertThat(colors.getTransparency()).isEqualTo(transparency);
+        BufferedImage image = new BufferedImage(3, 1, BufferedImage.TYPE_BYTE_INDEXED, colors);
+        image.getRaster().setSamples(0, 0, 3, 1, 0, new int[] {0, 1, 2});
+
+        assertSamples(read(image, "palette.png", 255), 10, 20, transparency == Transparency.OPAQUE ? 30 : Double.NaN);
     }
 
     @Test
