@@ -122,7 +122,7 @@ final class OpticalReaders {
             BufferedReader lines =
                     new BufferedReader(new InputStreamReader(file.stream(head.length()), StandardCharsets.ISO_8859_1));
             lines.readLine();
-            double[] points = new TextNumbers(lines, false, before + 2, count).first(count);
+            double[] points = new TextNumbers(lines, false, TextFile.REMOVE, before + 2, count).first(count);
             double[] heights = new double[columns * rows];
             Arrays.fill(heights, Double.NaN);
             for (int i = 0; i < count; i += 3) {

@@ -69,7 +69,7 @@ final class SurfaceDataReaders {
         Samples samples = new Samples(columns, rows, () -> {
             int count = Math.multiplyExact(columns, rows);
             Reader numbers = new InputStreamReader(file.stream(head.length() + 1L), StandardCharsets.ISO_8859_1);
-            return new TextNumbers(new BufferedReader(numbers), false, line, count).first(count);
+            return new TextNumbers(new BufferedReader(numbers), false, TextFile.REMOVE, line, count).first(count);
         });
         return channel(samples, values.number("Xscale"), values.number("Yscale"), values.number("Zscale"));
     }

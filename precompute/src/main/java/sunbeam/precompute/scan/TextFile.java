@@ -22,10 +22,19 @@ import sunbeam.precompute.scan.TextReader.TextNumbers;
  * Text file with numbers: its header, encoding and decimal mark.
  *
  * @param charset UTF-16 by its byte order mark, else UTF-8 if the first bytes are valid in it, else Latin-1
+ * @param remedy for a word that is no number
  * @param ambiguity what makes the decimal mark unknown, if it is and none is chosen
  */
 record TextFile(
-        ScanBytes file, Charset charset, List<String> header, boolean decimalComma, Optional<String> ambiguity) {
+        ScanBytes file,
+        Charset charset,
+        List<String> header,
+        boolean decimalComma,
+        String remedy,
+        Optional<String> ambiguity) {
+    /** Remedy for a word of a file whose decimal mark is known. */
+    static final String REMOVE = "remove it, or export the scan again";
+
     private static final int LONGEST_HEADER = 1 << 18;
 
     private static final Pattern NUMBER =
@@ -54,11 +63,20 @@ record TextFile(
                 boolean comma =
                         mark.map(TextReader.DecimalMark.COMMA::equals).orElseGet(() -> hasDecimalCommas(numbers));
                 Optional<String> ambiguity = mark.isPresent() ? Optional.empty() : UnknownMark.in(numbers);
-                return Optional.of(new TextFile(file, charset, header, comma, ambiguity));
+                return Optional.of(new TextFile(file, charset, header, comma, remedy(mark), ambiguity));
             }
             header.add(line.startsWith("\ufeff") ? line.substring(1) : line);
         }
         return Optional.empty();
+    }
+
+    private static String remedy(Optional<TextReader.DecimalMark> mark) {
+        return mark.map(chosen -> switch (chosen) {
+                    case POINT -> REMOVE;
+                    case COMMA ->
+                        "remove it, or export numbers with semicolons between them and no thousands separators";
+                })
+                .orElse("remove it, or say which mark its decimals have");
     }
 
     private static boolean areNumbers(String line, String separators) {
@@ -105,7 +123,7 @@ record TextFile(
         for (int line = 0; line < header.size(); line++) {
             reader.readLine();
         }
-        return new TextNumbers(reader, decimalComma, header.size() + 1L, Long.MAX_VALUE);
+        return new TextNumbers(reader, decimalComma, remedy, header.size() + 1L, Long.MAX_VALUE);
     }
 
     /** Number that stands for a missing sample, in ESRI's grids -9999 unless they state another; NaN if none does. */

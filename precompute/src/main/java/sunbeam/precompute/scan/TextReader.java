@@ -236,15 +236,17 @@ public final class TextReader {
         private static final String BLANKS = " \t\"\f\ufeff";
 
         private final boolean decimalComma;
+        private final String remedy;
         private double[] values = new double[FIRST_CAPACITY];
         private int count;
         private int columns;
         private int rows;
         private String ragged = "";
 
-        /** Reads numbers; throws ScanException if there are too many, or a word that is no number. */
-        TextNumbers(BufferedReader in, boolean decimalComma, long line, long most) throws IOException {
+        /** Reads numbers; throws ScanException if there are too many, or, with the remedy, for a word that is no number. */
+        TextNumbers(BufferedReader in, boolean decimalComma, String remedy, long line, long most) throws IOException {
             this.decimalComma = decimalComma;
+            this.remedy = remedy;
             long number = line;
             for (String text = in.readLine(); text != null && count < most; text = in.readLine()) {
                 add(text, number++);
@@ -293,8 +295,8 @@ public final class TextReader {
             if (MISSING.matcher(text).matches()) {
                 return Double.NaN;
             }
-            throw new ScanException("has " + Text.quoted(text) + " in line " + line
-                    + ", where a number should be; remove it, or say which mark its decimals have");
+            throw new ScanException(
+                    "has " + Text.quoted(word) + " in line " + line + ", where a number should be; " + remedy);
         }
 
         private void add(double value) {

@@ -123,7 +123,18 @@ class TextReaderTest {
                 .containsExactly(1.5, 2.5);
         assertThatThrownBy(() -> read("1 2\n3 4,x\n"))
                 .isInstanceOf(ScanException.class)
-                .hasMessageContaining("\"x\" in line 2");
+                .hasMessageContaining("\"x\" in line 2")
+                .hasMessageContaining("say which mark");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"-27,357,-41,693", "-2.735,7"})
+    void aWordThatIsNoNumberIsQuotedAsItStands(String word) {
+        assertThatThrownBy(() -> read(word + ";1\n2;3\n", Optional.of(TextReader.DecimalMark.COMMA)))
+                .isInstanceOf(ScanException.class)
+                .hasMessageContaining('"' + word + "\" in line 1")
+                .hasMessageContaining("semicolons between them and no thousands separators")
+                .hasMessageNotContaining("which mark");
     }
 
     @ParameterizedTest
