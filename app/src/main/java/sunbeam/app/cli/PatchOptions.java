@@ -104,6 +104,16 @@ public final class PatchOptions extends SettingOptions {
         }
     }
 
+    /** Returns the surface's name that is given without an option. */
+    public Optional<String> argument() {
+        return Optional.ofNullable(argument);
+    }
+
+    /** Returns the choices of the options alone. */
+    public Choices options() {
+        return super.choices();
+    }
+
     @Override
     public Choices choices() {
         Choices choices = super.choices();

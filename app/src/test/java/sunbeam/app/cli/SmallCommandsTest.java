@@ -57,6 +57,22 @@ final class SmallCommandsTest extends CommandLineFixture {
     }
 
     @Test
+    void aPatchBesideASceneReplacesItsPatchInAPage() {
+        // The page is that of the scene, and what it lacks is the patch.
+        assertComplaint(
+                ExitCode.UNUSABLE_INPUT,
+                "export elaphe --patch none.npy --format html --output @x.html",
+                "none.npy is neither");
+        assertComplaint(
+                ExitCode.USAGE,
+                "export elaphe --patch disc --format npz --output @x.npz",
+                "npz has no scene, which 'elaphe' names",
+                "--format html");
+        assertComplaint(
+                ExitCode.USAGE, "export sinusoid --patch blaze --format html --output @x.html", "both name a patch");
+    }
+
+    @Test
     void listsWhatForWhichSurfaceHowLargeAndWhenUsedTheLastUsedFirst() throws IOException {
         table("first", 0);
         table("second", 90);

@@ -172,8 +172,7 @@ public final class ExportCommand extends FileCommand {
         format.check(output, overwrite());
         PrintWriter err = err();
         long start = System.nanoTime();
-        Optional<Scene> scene = shown.map(name -> SceneOverrides.apply(
-                Scenes.load(name), asked.over(patchOptions.choices().without(PATCH))));
+        Optional<Scene> scene = shown.map(name -> SceneOverrides.apply(Scenes.load(name), asked.over(overrides())));
         scene.ifPresent(found -> WebScene.check(found, shown.get()));
         Optional<PageScene> page = scene.map(found -> page(found, shown.get(), most));
         TableWriter writer = writer(asked, tolerance, page);
@@ -234,22 +233,42 @@ public final class ExportCommand extends FileCommand {
         return ExitCode.TOLERANCE_MISSED.code();
     }
 
-    /** Returns the scene that the page shows: of --scene, or PATCH that is no built-in patch, but a scene's name or file. */
+    /** Returns the options of the surface for a scene: its patch, too, unless --patch names the scene itself. */
+    private Choices overrides() {
+        Choices options = patchOptions.options();
+        return sceneName == null && patchOptions.argument().isEmpty() ? options.without(PATCH) : options;
+    }
+
+    /**
+     * Returns the scene that the page shows: of --scene, or PATCH that is no built-in patch, but a scene's name or file. Beside it, --patch
+     * replaces the scene's patch.
+     */
     private Optional<String> sceneName() {
-        Choices patch = patchOptions.choices();
-        String named = patch.has(PATCH) ? patch.get(PATCH) : "";
+        Optional<String> argument = patchOptions.argument();
+        boolean replaced = patchOptions.options().has(PATCH);
         UsageException.throwIf(
-                sceneName != null && !named.isEmpty(),
-                "'" + named + "' and --scene both name what is shown; give one of them");
-        boolean isScene = sceneName == null
-                && !BuiltInPatches.names().contains(named)
-                && (Scenes.builtIn().contains(named) || (!named.isEmpty() && Scenes.isScene(Path.of(named))));
-        Optional<String> scene = isScene ? Optional.of(named) : Optional.ofNullable(sceneName);
+                sceneName != null && argument.isPresent(),
+                argument.map(name -> "'" + name + "' and --scene both name what is shown; give one of them")
+                        .orElse(""));
+        boolean both = replaced && argument.filter(ExportCommand::isScene).isPresent();
+        UsageException.throwIf(
+                both && format != Format.HTML,
+                argument.map(name -> "--format " + format + " has no scene, which '" + name
+                                + "' names beside --patch; leave it out, or give --format html")
+                        .orElse(""));
+        String named = sceneName != null || both ? "" : patchOptions.choices().get(PATCH, "");
+        boolean isScene = !BuiltInPatches.names().contains(named) && isScene(named);
+        Optional<String> scene =
+                isScene ? Optional.of(named) : Optional.ofNullable(sceneName).or(() -> argument.filter(name -> both));
         scene.filter(name -> format != Format.HTML).ifPresent(name -> {
             throw new UsageException(
                     "'" + name + "' is a scene, which --format html shows; name its patch for " + format);
         });
         return scene;
+    }
+
+    private static boolean isScene(String named) {
+        return Scenes.builtIn().contains(named) || (!named.isEmpty() && Scenes.isScene(Path.of(named)));
     }
 
     private PageScene page(Scene scene, String name, long most) {
