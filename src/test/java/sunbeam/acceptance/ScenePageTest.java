@@ -41,7 +41,7 @@ class ScenePageTest extends InOneWorkplace {
             bands.setRGB(i % 4200, i / 4200, i % 4200 / 300 % 2 == 0 ? 0x8a3020 : 0x202020);
         }
         ImageIO.write(bands, "png", workplace.resolve("bands.png").toFile());
-        scene("ball.json", OBJECT);
+        scene("ball.json", "\"title\": \"A <ball> with @DATA@\", " + OBJECT);
         report = workplace
                 .succeedHere("export ball.json --format html --output ball.html --tolerance 0.1")
                 .stdout();
@@ -79,8 +79,9 @@ class ScenePageTest extends InOneWorkplace {
         assertThat(page.length()).isLessThan(6_000_000);
         assertThat(page)
                 .doesNotContain("http")
-                .doesNotContainPattern("@[A-Z]+@")
-                .contains("<h1>A repeated patch with a period of 2.5");
+                .contains("<title>A &lt;ball&gt; with @DATA@</title>", "<h1>A &lt;ball&gt; with @DATA@</h1>")
+                .contains("<p>A repeated patch with a period of 2.5");
+        assertThat(page.replace("with @DATA@", "")).doesNotContainPattern("@[A-Z]+@");
     }
 
     @Test

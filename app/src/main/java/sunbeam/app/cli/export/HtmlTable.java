@@ -101,8 +101,8 @@ final class HtmlTable implements TableWriter {
         table.put("scanWidth", patch.scan().width());
         scene.ifPresent(shown -> table.put("scene", shown.fields()));
         Map<String, String> values = new LinkedHashMap<>();
-        values.put(
-                "VERDICT", html(Verdict.of(patch, GratingPeriod.of(patch), 0, 0).sentence()));
+        String verdict = html(Verdict.of(patch, GratingPeriod.of(patch), 0, 0).sentence());
+        String title = html(scene.map(PageScene::title).orElse("").strip());
         values.put("WARNINGS", paragraphs(patch.warnings()));
         values.put("TABLE", metadata.blur());
         values.put("SCAN", ScanPicture.of(patch.scan()));
@@ -111,6 +111,11 @@ final class HtmlTable implements TableWriter {
         values.put("SHADERS", shaders(metadata));
         values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
         values.put("SCENE", scene.map(PageScene::elements).orElse(""));
+        // Last, since a title may hold the name of another value.
+        values.put(
+                "HEADING",
+                title.isEmpty() ? "<h1>" + verdict + "</h1>" : "<h1>" + title + "</h1>\n<p>" + verdict + "</p>");
+        values.put("TITLE", title.isEmpty() ? "Diffraction of " + html(patch.name()) : title);
         String page = ShaderText.fill(ShaderText.of("page.html", metadata, doublings()), values);
         return new Output(
                 Map.of(".html", StreamContent.of(page)),

@@ -20,6 +20,7 @@ import sunbeam.app.render.SceneLoader.LoadingScene;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.render.WebScene;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.UsageException;
@@ -28,11 +29,13 @@ import sunbeam.precompute.patch.Patch;
 /**
  * A scene in the elements of page.html.
  *
+ * @param title of the scene; may be blank
  * @param exposure that of {@code render} at its default size
  * @param elements scripts that hold the compressed mesh and the textures
  * @param notes a line for each texture that is reduced
  */
-record PageScene(Patch patch, double exposure, Map<String, Object> fields, String elements, List<String> notes) {
+record PageScene(
+        String title, Patch patch, double exposure, Map<String, Object> fields, String elements, List<String> notes) {
     // Share of a page that mesh and textures may take, so that the table has the rest.
     private static final double MOST_SHARE = 0.75;
     // In texels, as telephones hold.
@@ -53,8 +56,13 @@ record PageScene(Patch patch, double exposure, Map<String, Object> fields, Strin
                         .exposure(session.data().scene(), WIDTH, HEIGHT, TimedTiles.large(), () -> false)
                         .orElseThrow();
                 WebScene scene = WebScene.of(session.data(), exposure);
-                PageScene page =
-                        new PageScene(session.data().patch(), exposure, scene.fields(), elements(scene), notes(scene));
+                PageScene page = new PageScene(
+                        session.data().scene().get(SceneSettings.TITLE),
+                        session.data().patch(),
+                        exposure,
+                        scene.fields(),
+                        elements(scene),
+                        notes(scene));
                 UsageException.throwIf(
                         page.bytes() > MOST_SHARE * mostBytes,
                         "scene " + name + " takes " + ByteSize.format(page.bytes()) + " of a page of "
