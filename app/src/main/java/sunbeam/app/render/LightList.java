@@ -1,6 +1,7 @@
 package sunbeam.app.render;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -79,11 +80,23 @@ record LightList(List<Group> groups, boolean areDrawn, double skyWeight) {
         return environment.map(map -> of(scene, map.lights(), true)).orElseGet(() -> own(scene));
     }
 
+    /** Returns the brightest of the lights of an environment in a still picture; if the ground hides all of them, a dark one below it. */
+    static SceneLight brightest(Scene scene, RadianceMap environment) {
+        Vector3f up = new Vector3f(0, 0, 1).rotate(new Quaternionf(scene.orientation()));
+        return environment.lights().groups(stillLights(scene), 1).stream()
+                .flatMap(region -> above(scene, region, up))
+                .max(Comparator.comparingDouble(LightTree::luminance))
+                .map(light -> new SceneLight(light.towards(), LightTree.luminance(light), 4 * light.deviation()))
+                .orElseGet(() -> new SceneLight(up.negate(), 0, 0));
+    }
+
+    private static int stillLights(Scene scene) {
+        return scene.get(SceneSettings.ENVIRONMENT_LIGHTS).orElse(STILL);
+    }
+
     private static LightList of(Scene scene, LightTree tree, boolean moves) {
         boolean areDrawn = !moves && !hasFootprints(scene);
-        int count = moves
-                ? SceneSession.MOVING_LIGHTS
-                : scene.get(SceneSettings.ENVIRONMENT_LIGHTS).orElse(STILL);
+        int count = moves ? SceneSession.MOVING_LIGHTS : stillLights(scene);
         Vector3f up = new Vector3f(0, 0, 1).rotate(new Quaternionf(scene.orientation()));
         float intensity = scene.get(SceneSettings.ENVIRONMENT_INTENSITY).floatValue();
         List<LightTree.Group> regions =

@@ -44,6 +44,13 @@ public record SceneData(
         Optional<LevelBakers> bakers,
         Optional<ReflectanceComponent> reflectanceComponent) {
 
+    /** Returns the scene; under an environment, its light is the brightest one of that. */
+    public Scene lit() {
+        return shape.environment()
+                .map(map -> scene.withLight(LightList.brightest(scene, map)))
+                .orElse(scene);
+    }
+
     /** Returns the index of the first object with the part's look. */
     public int look() {
         return scene.current();

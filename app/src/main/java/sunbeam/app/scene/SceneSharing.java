@@ -64,13 +64,16 @@ public final class SceneSharing {
                 && (index.equals(otherIndex) || (scene.effectiveEnergy() == Energy.SCALAR && areConstant));
     }
 
-    /** Returns a scene with another's meshes, textures and tables, and with its weights if the looks differ. */
+    /** Returns a scene with another's meshes, textures, tables and environment, and with its weights if the looks differ. */
     public static Scene withPartsOf(Scene other, Scene scene) {
         if (scene.objects().size() == other.objects().size()) {
             List<SceneObject> mixed = IntStream.range(0, scene.objects().size())
                     .mapToObj(i -> objectWithPartsOf(other.at(i), scene.at(i)))
                     .toList();
-            Scene drawn = scene.withMethod(other.method()).withObjects(mixed).at(scene.current());
+            Scene drawn = scene.withMethod(other.method())
+                    .with(SceneSettings.ENVIRONMENT, other.get(SceneSettings.ENVIRONMENT))
+                    .withObjects(mixed)
+                    .at(scene.current());
             if (drawn.looks().equals(other.looks())) {
                 return drawn;
             }

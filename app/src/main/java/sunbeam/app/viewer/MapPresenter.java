@@ -41,7 +41,7 @@ final class MapPresenter {
             return;
         }
         Optional<SkinPoint> picked = viewer.inspector.point();
-        Scene scene = viewer.model.drawnScene();
+        Scene scene = viewer.model.litScene();
         Vector3fc toLight = scene.light().towards();
         // In camera space: +x right, +y up, +z to the viewer.
         Vector3f seen = scene.view().camera().worldToCamera().transformDirection(toLight, new Vector3f());
@@ -70,7 +70,8 @@ final class MapPresenter {
         view.newest(isDisplayed);
         view.mark(
                 picked.map(point -> point.pick().wr()),
-                picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you");
+                (picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you")
+                        + (scene.hasEnvironment() ? ", for the brightest light" : ""));
     }
 
     /** Requests the final map, or a preview unless the newest map is displayed. */

@@ -17,8 +17,9 @@ import sunbeam.precompute.units.Lengths;
  * @param viewer direction to the viewer, tangent frame
  * @param waves spatial frequencies of the surface's gratings, tangent frame; empty if unknown or none
  * @param spread largest distance of (u, v) from an order's that still shows its color: two deviations of the skin's slopes, doubled by reflection
+ * @param isOfMany true under an environment: the light is its brightest, and no order of that light alone makes the color
  */
-record PickSentence(Direction light, Direction viewer, List<SpatialFrequency> waves, double spread) {
+record PickSentence(Direction light, Direction viewer, List<SpatialFrequency> waves, double spread, boolean isOfMany) {
     /** Spread on a perfect surface under a point: the directions of a scan's lines differ by a degree or two. */
     static final double LEAST_SPREAD = 0.04;
 
@@ -33,10 +34,11 @@ record PickSentence(Direction light, Direction viewer, List<SpatialFrequency> wa
     }
 
     private String angles() {
+        String name = isOfMany ? "brightest light" : "light";
         if (light.z() <= 0) {
-            return "the light is behind the skin here";
+            return "the " + name + " is behind the skin here";
         }
-        return Text.format("light at %.0f degrees, you at %.0f", degrees(light), degrees(viewer));
+        return name + Text.format(" at %.0f degrees, you at %.0f", degrees(light), degrees(viewer));
     }
 
     private static double degrees(Direction direction) {
@@ -47,7 +49,7 @@ record PickSentence(Direction light, Direction viewer, List<SpatialFrequency> wa
     private String order(ColorName color) {
         double u = -light.x() - viewer.x();
         double v = -light.y() - viewer.y();
-        if (light.z() <= 0) {
+        if (light.z() <= 0 || isOfMany) {
             return "";
         }
         if (Math.hypot(u, v) < LEAST_SPREAD) {

@@ -125,7 +125,7 @@ public final class PointInspector {
 
     /** Describes the points under the newest light: a sentence and numbers. */
     public void describe() {
-        Scene scene = viewer.model.drawnScene();
+        Scene scene = viewer.model.litScene();
         Vector3fc towards = scene.light().towards();
         for (Inspected pick : picks) {
             double slopes = scene.at(pick.point.pick().object()).slopeDeviation();
@@ -142,7 +142,7 @@ public final class PointInspector {
                     .map(GratingPeriod::waves)
                     .orElse(List.of());
             String sentence = new PickSentence(
-                            pick.point.light(towards), pick.point.pick().wr(), waves, spread)
+                            pick.point.light(towards), pick.point.pick().wr(), waves, spread, scene.hasEnvironment())
                     .words(pick.readout.lab().map(ColorName::of));
             pick.readout.show(
                     sentence,
@@ -170,13 +170,13 @@ public final class PointInspector {
                 .get(0);
         Point pixel = measured.pixel(picture.pictureWidth(), picture.pictureHeight());
         picture.color(pixel.x, pixel.y).ifPresent(color -> pick.readout.showColor(color));
-        List<Object> inputs = spectrumInputs(measured, data.scene());
+        List<Object> inputs = spectrumInputs(measured, data.lit());
         if (inputs.equals(pick.requestedInputs)) {
             return;
         }
         pick.requestedInputs = inputs;
         pick.readout.curve.await(true);
-        Direction wi = measured.light(data.scene().light().towards());
+        Direction wi = measured.light(data.lit().light().towards());
         Direction wr = measured.pick().wr();
         Consumer<PickedLight.Spectrum> show = spectrum -> {
             if (inputs.equals(pick.requestedInputs)) {

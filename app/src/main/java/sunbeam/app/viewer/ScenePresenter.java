@@ -107,7 +107,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     }
 
     void show() {
-        viewer.inspector.follow(model.drawnScene());
+        viewer.inspector.follow(model.litScene());
         followLight();
         int width = window.picture.pictureWidth();
         int height = window.picture.pictureHeight();

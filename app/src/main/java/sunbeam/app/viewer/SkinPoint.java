@@ -92,7 +92,8 @@ public record SkinPoint(Scene scene, Pick pick) {
                 "tangent    " + vector(pick.tangent()),
                 "bitangent  " + vector(pick.bitangent()),
                 "normal     " + vector(pick.normal()),
-                Text.format("light      theta %.1f°, phi %.1f°", theta(wi), phi(wi)),
+                (scene.hasEnvironment() ? "brightest  " : "light      ")
+                        + Text.format("theta %.1f°, phi %.1f°", theta(wi), phi(wi)),
                 Text.format("viewer     theta %.1f°, phi %.1f°", theta(wr), phi(wr)),
                 Text.format("u, v, w    %.3f, %.3f, %.3f", -wi.x() - wr.x(), -wi.y() - wr.y(), -wi.z() - wr.z()));
     }

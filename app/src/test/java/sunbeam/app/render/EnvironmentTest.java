@@ -134,6 +134,20 @@ class EnvironmentTest extends InAScene {
     }
 
     @Test
+    void theBrightestLightIsThatOfTheBrightPixelAndTurnsWithTheEnvironment() throws IOException {
+        Path pixel = RadianceFiles.gray(folder.resolve("pixel.hdr"), 128, 64, (x, y) -> x == 60 && y == 12 ? 200 : 0);
+        Path sun = RadianceFiles.gray(folder.resolve("sun.hdr"), 128, 64, (x, y) -> x == 60 && y == 12 ? 200 : 2);
+        Scene scene = under(table(DIFFRACTION_ONLY), sun, 512);
+        Vector3f expected = new Vector3f(LightList.brightest(scene, RadianceMap.load(pixel.toString()))
+                        .towards())
+                .rotateZ((float) (Math.PI / 2));
+        Scene turned = scene.with(SceneSettings.ENVIRONMENT_ROTATION, Math.PI / 2);
+        SceneLight brightest = LightList.brightest(turned, RadianceMap.load(sun.toString()));
+        // The region of the pixel is wider than it.
+        assertThat(brightest.towards().angle(expected)).isLessThan((float) Math.toRadians(3));
+    }
+
+    @Test
     void turningTheEnvironmentTurnsItsLight() {
         Scene scene = under(table(Weights.of(20, 1, 0.8, 0)), "window", 64);
         Quaternionf back = new Quaternionf().rotationZ((float) (-Math.PI / 2));

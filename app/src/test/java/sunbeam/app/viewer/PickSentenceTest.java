@@ -22,7 +22,7 @@ class PickSentenceTest {
         GratingPlane plane = new GratingPlane(Math.toRadians(-62), 0, azimuth);
         DirectionPair pair = plane.pair(plane.thetaR(order * wavelength / period));
         SpatialFrequency wave = new SpatialFrequency(Math.cos(azimuth) / period, Math.sin(azimuth) / period);
-        return new PickSentence(pair.wi(), pair.wr(), List.of(wave), PickSentence.LEAST_SPREAD);
+        return new PickSentence(pair.wi(), pair.wr(), List.of(wave), PickSentence.LEAST_SPREAD, false);
     }
 
     @ParameterizedTest
@@ -46,13 +46,22 @@ class PickSentenceTest {
     void itNamesTheAnglesToTheNormal() {
         Direction light = Direction.ofDegrees(62, 10);
         Direction viewer = Direction.ofDegrees(23, 200);
-        PickSentence sentence = new PickSentence(light, viewer, List.of(), PickSentence.LEAST_SPREAD);
+        PickSentence sentence = new PickSentence(light, viewer, List.of(), PickSentence.LEAST_SPREAD, false);
         assertThat(sentence.words(Optional.empty())).isEqualTo("light at 62 degrees, you at 23");
         assertThat(sentence.words(Optional.of(ColorName.DARK_GRAY)))
                 .isEqualTo("dark gray; light at 62 degrees, you at 23");
         Direction below = new Direction(0.6, 0, -0.8);
-        assertThat(new PickSentence(below, viewer, List.of(), 0).words(Optional.of(ColorName.BLACK)))
+        assertThat(new PickSentence(below, viewer, List.of(), 0, false).words(Optional.of(ColorName.BLACK)))
                 .isEqualTo("black; the light is behind the skin here");
+    }
+
+    @Test
+    void underAnEnvironmentTheLightIsItsBrightestAndHasNoOrder() {
+        PickSentence one = sentence(1, 460e-9, PERIOD);
+        PickSentence many = new PickSentence(one.light(), one.viewer(), one.waves(), one.spread(), true);
+        assertThat(many.words(Optional.of(ColorName.BLUE))).startsWith("blue; brightest light at 62 degrees, you at ");
+        PickSentence behind = new PickSentence(new Direction(0.6, 0, -0.8), one.viewer(), List.of(), 0, true);
+        assertThat(behind.words(Optional.empty())).isEqualTo("the brightest light is behind the skin here");
     }
 
     @Test
@@ -60,9 +69,10 @@ class PickSentenceTest {
         PickSentence inPlane = sentence(1, 460e-9, PERIOD);
         Direction wr = inPlane.viewer();
         Direction aside = new Direction(wr.x() + 0.2, wr.y() - 0.2, 0.7);
-        PickSentence beside = new PickSentence(inPlane.light(), aside, inPlane.waves(), inPlane.spread());
+        PickSentence beside = new PickSentence(inPlane.light(), aside, inPlane.waves(), inPlane.spread(), false);
         assertThat(beside.words(Optional.of(ColorName.BLUE))).startsWith("blue; ");
-        assertThat(new PickSentence(inPlane.light(), aside, inPlane.waves(), 0.5).words(Optional.of(ColorName.BLUE)))
+        assertThat(new PickSentence(inPlane.light(), aside, inPlane.waves(), 0.5, false)
+                        .words(Optional.of(ColorName.BLUE)))
                 .as("a rough skin spreads orders")
                 .startsWith("blue, first order");
     }

@@ -160,6 +160,9 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         assertThat(different(picked, map(), false))
                 .as("orders of another light")
                 .isPositive();
+        onEvents(() -> viewer.model.change(scene -> scene.with(SceneSettings.ENVIRONMENT, "window")));
+        awaitOnEvents(() -> viewer.window.pick.firstSentence().contains("brightest light "));
+        assertThat(panelText()).contains("brightest  theta ").doesNotContain("light      theta");
     }
 
     private BufferedImage map() throws Exception {

@@ -27,6 +27,8 @@ public record LoadedScene(List<SceneData> parts) {
 
     /** Prepares the tables in the background, while the render thread uploads the parts. */
     private static LoadedScene prepared(List<SceneData> parts) {
+        // An environment's lights are found here, so that the event thread does not wait for them.
+        parts.get(0).lit();
         parts.get(0)
                 .bakers()
                 .ifPresent(levels -> BackgroundTask.start(() -> {

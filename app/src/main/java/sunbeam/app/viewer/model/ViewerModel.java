@@ -66,6 +66,11 @@ public final class ViewerModel {
         return loaded == null ? wanted : loaded.firstPart().scene();
     }
 
+    /** Returns {@link #drawnScene} with the light of a point's numbers and BRDF map: the key light, or the brightest of an environment. */
+    public Scene litScene() {
+        return loaded == null ? wanted : loaded.firstPart().lit();
+    }
+
     public Optional<LoadedScene> loaded() {
         return Optional.ofNullable(loaded);
     }
