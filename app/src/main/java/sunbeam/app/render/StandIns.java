@@ -2,7 +2,7 @@ package sunbeam.app.render;
 
 /** Counts pixels of a moving picture by the level that stands in for a finer one of which a tile is missing. */
 final class StandIns {
-    // Share of a picture's pixels, such as those along a rim, in which nobody sees the edges of tiles.
+    // Edges of tiles are not seen in this share of a picture's pixels or less, as along a rim.
     private static final double UNSEEN = 0.01;
     private static final int LEVELS = 256;
 

@@ -38,8 +38,9 @@ record RobustHeights(HeightMap level) {
     private static final int LARGE_TILES = 6;
     // Share of the distance of the usual tops and bottoms: lines of uneven height stay within it.
     private static final double FAR = 0.5;
-    // Of a Gaussian ridge five times as high as lines, less than their height is left there; twice as wide ones leave
-    // too few lines beside a ridge along them.
+    // A cut of this width leaves of a Gaussian ridge, five times as high as lines, less than their height. A cut twice
+    // as
+    // wide leaves too few lines beside a ridge along them.
     private static final double WIDER = 1.5;
     // A plane that a ridge tilts makes other heights seem too high.
     private static final int CUTS = 3;
@@ -85,7 +86,7 @@ record RobustHeights(HeightMap level) {
         return Optional.of(level.with(heights));
     }
 
-    /** Marks what lies beyond the usual tops and bottoms by half of their distance, with half as much of its flanks. */
+    /** Marks samples that lie beyond the usual tops and bottoms by half of their distance, and half as much of the flanks around them. */
     private static boolean[] ridges(HeightMap scan, double[] heights, boolean[] before) {
         double[] usual = usual(scan, heights, before);
         double far = FAR * (usual[1] - usual[0]);

@@ -14,13 +14,13 @@ public record Illuminant(String name, double[] power) {
     /** Names of the built-in CIE illuminants; E is equal power. */
     public static final List<String> NAMES = List.of("D65", "D50", "A", "E", "F11", "LED-B3");
 
-    // Of an order in smooth light, and beyond 720 nm, where eyes see a thousandth. Daylight, for which plans are made,
-    // has 1.0 and 3.1 %; of CIE 15's other lamps those without lines have 1.1 and 1.2 %, with lines 2.4 and 5.7 % or
-    // more.
+    // The largest relative error of an order in smooth light; beyond 720 nm, where eyes see a thousandth, it may be
+    // larger. Daylight, for which plans are made, has 1.0 and 3.1 %; of CIE 15's other lamps those without lines have
+    // 1.1 and 1.2 %, with lines 2.4 and 5.7 % or more.
     private static final double LARGEST_ERROR = 0.0125;
     private static final double LARGEST_ERROR_OF_DARK_RED = 0.035;
     private static final int DARK_RED = 720;
-    // Of 1 / lambda in method full at a tolerance of 1e-3, 1 / nm.
+    // Method full steps by this much of 1 / lambda at a tolerance of 1e-3, 1 / nm.
     private static final double STEP = (1.0 / CieTable.FIRST_NANOMETER - 1.0 / CieTable.LAST_NANOMETER) / 60;
     // Share of the strongest power below which errors do not count.
     private static final double FAINT = 0.01;
