@@ -21,7 +21,6 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
@@ -145,7 +144,7 @@ record ColorReport(
         fields.put("plane_azimuth_deg", colors.get(0).view().phiDegrees());
         fields.put("coherence_length_m", coherenceLength);
         fields.put("plan", plan);
-        fields.put("model", ModelError.of(patch.measured(), patch.repetition()).describe());
+        fields.put("model", patch.slopes().describe());
         Optional<Map<String, Object>> values = purest.map(ViewColor::fields);
         values.ifPresent(spectrum::putBand);
         fields.put("purest", values.orElse(null));

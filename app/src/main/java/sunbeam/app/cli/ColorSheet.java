@@ -81,8 +81,9 @@ final class ColorSheet {
 
     private Sheet texts(Sheet sheet, int number) {
         ColorReport report = reports.get(number);
-        return sheet.heading(names.get(number) + ": " + report.verdict().sentence())
-                .text(title(report), Sheet.FONT);
+        sheet.heading(names.get(number) + ": " + report.verdict().sentence()).text(title(report), Sheet.FONT);
+        report.patch().gaps().ifPresent(gaps -> sheet.text(gaps, Sheet.FONT));
+        return sheet;
     }
 
     /** Returns x, y, width and height of the first surface's strips in the picture, pixels. */

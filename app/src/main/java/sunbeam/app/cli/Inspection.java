@@ -72,7 +72,7 @@ record Inspection(
         return new Inspection(
                 patch,
                 thetaI,
-                ModelError.of(patch.measured(), patch.repetition()),
+                patch.slopes(),
                 EnergyBalance.largest(patch.scan(), RefractiveIndex.KERATIN, FROM_ABOVE),
                 period,
                 HeightSpectrum.of(patch.scan(), edges),
@@ -97,6 +97,7 @@ record Inspection(
                 + map.rows() + " samples");
         lines.add("heights   relief " + length(patch.measured().relief()) + ", roughness " + length(roughness())
                 + " rms");
+        patch.gaps().ifPresent(gaps -> lines.add("gaps      " + gaps));
         lines.add(Text.format(
                 "slopes    %.1f degrees rms, steepest %.1f; %.1f %% of the surface steeper than %.0f degrees, where scalar theory"
                         + " fails",
@@ -138,7 +139,7 @@ record Inspection(
 
     /** Returns the root mean square of the heights about their mean (Sq of ISO 25178), meters. */
     private double roughness() {
-        return Math.sqrt(StatUtils.populationVariance(patch.measured().heights()));
+        return Math.sqrt(StatUtils.populationVariance(patch.measuredHeights()));
     }
 
     Map<String, Object> fields() {

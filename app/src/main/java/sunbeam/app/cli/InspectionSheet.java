@@ -221,12 +221,14 @@ record InspectionSheet(Inspection inspection, List<String> lines, int width, Opt
 
     /** Returns heights in nm, and the share of the surface per nm at each. */
     private double[][] histogram() {
-        double low = map().minimum();
-        double step = Math.max(map().relief() / (HISTOGRAM_BINS - 1), LEAST_STEP);
+        HeightMap measured = inspection.patch().measured();
+        double low = measured.minimum();
+        double step = Math.max(measured.relief() / (HISTOGRAM_BINS - 1), LEAST_STEP);
         double[] shares = new double[HISTOGRAM_BINS];
-        double one = 1 / (step * NANOMETERS * map().columns() * map().rows());
+        double[] heights = inspection.patch().measuredHeights();
+        double one = 1 / (step * NANOMETERS * heights.length);
         // Heights count in two neighboring bins, by distance, so that the levels of an 8-bit scan are no comb.
-        for (double height : map().heights()) {
+        for (double height : heights) {
             double place = (height - low) / step;
             int bin = Math.min(HISTOGRAM_BINS - 2, (int) place);
             shares[bin] += one * (1 - (place - bin));
@@ -247,7 +249,10 @@ record InspectionSheet(Inspection inspection, List<String> lines, int width, Opt
         return Math.rint(10 * Math.toDegrees(radians)) / 10 + 0.0;
     }
 
-    /** Samples a line through the center at the finer of both pitches, as far as the patch reaches; micrometers and nanometers. */
+    /**
+     * Samples a line through the center at the finer of both pitches, as far as the patch reaches; micrometers and nanometers, NaN where
+     * samples are filled.
+     */
     private double[][] profile() {
         GratingPeriod period = inspection.period();
         double longest = period.hasWave() ? PROFILE_PERIODS * period.period() : Double.POSITIVE_INFINITY;
@@ -273,7 +278,7 @@ record InspectionSheet(Inspection inspection, List<String> lines, int width, Opt
     }
 
     private double at(double x, double y) {
-        return map().at((int) Math.floor(0.5 * map().columns() + x / map().pitchX() - 1e-9), (int)
+        return inspection.patch().known().at((int) Math.floor(0.5 * map().columns() + x / map().pitchX() - 1e-9), (int)
                 Math.floor(0.5 * map().rows() - y / map().pitchY() - 1e-9));
     }
 }

@@ -10,6 +10,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -94,6 +95,37 @@ final class InspectCommandTest extends CommandLineFixture {
             // The plane of half of the rows differs a little.
             assertThat(half.get(key).doubleValue()).as(key).isCloseTo(expected, withinPercentage(3));
         }
+    }
+
+    /** The right half is missing, and filled with the height of its border. */
+    @Test
+    void panelsShowMeasuredSamplesAlone() throws IOException {
+        scan(
+                "half.txt",
+                "",
+                64,
+                64,
+                (column, row) -> column < 32 ? 150 * Math.sin(2 * Math.PI * (column + 0.5) / 16) : Double.NaN);
+        String options = " @half.txt --height-unit nm --width 5um --level none --force --output @half.png";
+        sunbeam("inspect --json" + options);
+        assertThat(new ObjectMapper()
+                        .readTree(out.toString())
+                        .get("roughness_m")
+                        .doubleValue())
+                .isCloseTo(150e-9 / Math.sqrt(2), withinPercentage(0.01));
+        forgetOutput();
+        sunbeam("inspect --panel histogram" + options);
+        assertThat(out.toString()).contains("gaps      2048 of 4096 samples are missing");
+        double[][] shares = rows("half.csv");
+        double all = Arrays.stream(shares).mapToDouble(row -> row[1]).sum() * (shares[1][0] - shares[0][0]);
+        assertThat(all).isCloseTo(1, withinPercentage(1e-6));
+        // The wave has eight heights, each as often as the others.
+        double most = Arrays.stream(shares).mapToDouble(row -> row[1]).max().orElseThrow();
+        assertThat(most * (shares[1][0] - shares[0][0])).isLessThan(1.0 / 8 + 1e-9);
+        sunbeam("inspect --panel profile" + options);
+        double[][] line = rows("half.csv");
+        assertThat(Arrays.stream(line).filter(row -> Double.isNaN(row[1])).count())
+                .isBetween(line.length / 2 - 1L, line.length / 2 + 1L);
     }
 
     private JsonNode statistics(int measured) throws IOException {

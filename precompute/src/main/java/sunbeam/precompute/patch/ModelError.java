@@ -50,25 +50,37 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
 
     /** The slopes of a period include those at the border to the next one. */
     public static ModelError of(HeightMap map, Patch.Repetition repetition) {
+        return of(map, map, repetition);
+    }
+
+    /** Leaves out slopes beside missing samples; if this leaves none, as of a checkerboard, takes those of the filled map. */
+    static ModelError of(HeightMap map, HeightMap filled, Patch.Repetition repetition) {
         // Rounding must not make exactly 30 degrees steeper.
         double limit = Math.tan(Math.toRadians(STEEPEST)) * (1 + 1e-9);
         double sum = 0;
         double squares = 0;
         double largest = 0;
         double steep = 0;
+        double count = 0;
         int last = repetition == Patch.Repetition.PERIODIC ? 0 : 1;
         int columns = Math.max(1, map.columns() - last);
         int rows = Math.max(1, map.rows() - last);
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 double slope = slope(map, column, row);
+                if (!Double.isFinite(slope)) {
+                    continue;
+                }
+                count++;
                 sum += slope;
                 squares += slope * slope;
                 largest = Math.max(largest, slope);
                 steep += slope > limit ? 1 : 0;
             }
         }
-        double count = (double) columns * rows;
+        if (count == 0) {
+            return of(filled, repetition);
+        }
         return new ModelError(sum / count, Math.sqrt(squares / count), largest, steep / count);
     }
 

@@ -66,19 +66,28 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 : faults(measured, preparation.leveling(), samples.area(measured));
         List<String> warnings = kind == Kind.BUILT_IN ? new ArrayList<>() : Plausibility.oddities(measured);
         faults.forEach(fault -> warnings.add(fault.line()));
-        if (prepared.missing() > 0) {
-            warnings.add(prepared.missing() + " of " + scan.heights().length
-                    + " samples are missing and were filled from their neighbors");
-        }
+        Patch.gaps(prepared.known()).ifPresent(warnings::add);
         removedWave(measured, preparation).ifPresent(warnings::add);
         spikes(scan, preparation).ifPresent(warnings::add);
         repetitionWarning(measured, scan, preparation, repetition).ifPresent(warnings::add);
         Plausibility.mirror(measured, scan, prepared.steps()).ifPresent(warnings::add);
         Plausibility.pitch(surface).ifPresent(warnings::add);
         // Before blending, which bends the border.
-        ModelError.of(ScanFault.measured(scan, faults), repetition).warning().ifPresent(warnings::add);
+        ModelError.of(ScanFault.measured(prepared.known(), faults), ScanFault.measured(scan, faults), repetition)
+                .warning()
+                .ifPresent(warnings::add);
         String source = read.source() + ", " + String.join(", ", prepared.steps());
-        return new Patch(name, surface, scan, source, read.channels(), read.notes(), warnings, faults, repetition);
+        return new Patch(
+                name,
+                surface,
+                scan,
+                prepared.known(),
+                source,
+                read.channels(),
+                read.notes(),
+                warnings,
+                faults,
+                repetition);
     }
 
     private Patch.Repetition repetition(HeightMap measured) {

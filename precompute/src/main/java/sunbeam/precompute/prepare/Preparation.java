@@ -12,8 +12,11 @@ import sunbeam.precompute.units.Lengths;
 
 /** Preparation of a scan, in this order: crop, level, despike, fill missing samples, treat edges. */
 public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despike, Edges edges) {
-    /** Prepared scan: before and after its edges are treated (light uses the latter), number of filled samples, words for the steps. */
-    public record Prepared(HeightMap scan, HeightMap surface, int missing, List<String> steps) {}
+    /**
+     * Prepared scan: before and after its edges are treated (light uses the latter), the former with NaN where samples were filled, words for
+     * the steps.
+     */
+    public record Prepared(HeightMap scan, HeightMap surface, HeightMap known, List<String> steps) {}
 
     /** Prepares heights; throws IllegalArgumentException if all samples are missing, or as {@link Crop#apply}. */
     public Prepared apply(HeightMap measured) {
@@ -35,19 +38,27 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
         int missing = (int) Arrays.stream(field.heights())
                 .filter(height -> !Double.isFinite(height))
                 .count();
+        HeightMap gaps = field;
         if (missing > 0) {
             // Filled samples would bend a fitted plane, so only the mean is subtracted again.
             HeightMap filled = MissingHeights.fill(field);
             field = leveling == Leveling.NONE ? filled : Leveling.MEAN.apply(filled);
             steps.add(missing + " missing samples filled");
         }
+        HeightMap known = missing > 0 ? known(field, gaps) : field;
         HeightMap surface = edges.apply(field);
         if (edges == Edges.BLEND) {
             steps.add("edges blended over " + rounded(field.width() - surface.width()) + " x "
                     + rounded(field.height() - surface.height()) + " (a step of "
                     + rounded(Seam.of(field).jump()) + " rms)");
         }
-        return new Prepared(field, surface, missing, steps);
+        return new Prepared(field, surface, known, steps);
+    }
+
+    private static HeightMap known(HeightMap filled, HeightMap gaps) {
+        double[] heights = filled.heights().clone();
+        Arrays.setAll(heights, i -> Double.isFinite(gaps.heights()[i]) ? heights[i] : Double.NaN);
+        return filled.with(heights);
     }
 
     private static String rounded(double meters) {
