@@ -50,11 +50,16 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
 
     /** The slopes of a period include those at the border to the next one. */
     public static ModelError of(HeightMap map, Patch.Repetition repetition) {
-        return of(map, map, repetition);
+        return of(map, repetition, false).orElseThrow();
     }
 
     /** Leaves out slopes beside missing samples; if this leaves none, as of a checkerboard, takes those of the filled map. */
     static ModelError of(HeightMap map, HeightMap filled, Patch.Repetition repetition) {
+        return of(map, repetition, true).orElseGet(() -> of(filled, repetition));
+    }
+
+    /** @param hasGaps whether slopes that are not finite are left out; empty if none is left */
+    private static Optional<ModelError> of(HeightMap map, Patch.Repetition repetition, boolean hasGaps) {
         // Rounding must not make exactly 30 degrees steeper.
         double limit = Math.tan(Math.toRadians(STEEPEST)) * (1 + 1e-9);
         double sum = 0;
@@ -68,7 +73,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 double slope = slope(map, column, row);
-                if (!Double.isFinite(slope)) {
+                if (hasGaps && !Double.isFinite(slope)) {
                     continue;
                 }
                 count++;
@@ -78,10 +83,9 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
                 steep += slope > limit ? 1 : 0;
             }
         }
-        if (count == 0) {
-            return of(filled, repetition);
-        }
-        return new ModelError(sum / count, Math.sqrt(squares / count), largest, steep / count);
+        return count == 0
+                ? Optional.empty()
+                : Optional.of(new ModelError(sum / count, Math.sqrt(squares / count), largest, steep / count));
     }
 
     private static double slope(HeightMap map, int column, int row) {
