@@ -3,7 +3,7 @@ package sunbeam.app.scene;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 
-/** Motion of an animated scene about the vertical (z), counterclockwise from above: another transform of a node of its graph. */
+/** Motion of an animated scene about the vertical (z), counterclockwise from above. */
 public enum Motion {
     /** Turns the model; light and camera stay. */
     TURNTABLE,

@@ -86,7 +86,7 @@ record RobustHeights(HeightMap level) {
         return Optional.of(level.with(heights));
     }
 
-    /** Marks samples that lie beyond the usual tops and bottoms by half of their distance, and half as much of the flanks around them. */
+    /** Marks samples beyond the usual tops and bottoms by half of their distance, and half as much of the flanks around them. */
     private static boolean[] ridges(HeightMap scan, double[] heights, boolean[] before) {
         double[] usual = usual(scan, heights, before);
         double far = FAR * (usual[1] - usual[0]);

@@ -240,8 +240,8 @@ public final class ExportCommand extends FileCommand {
     }
 
     /**
-     * Returns the scene that the page shows: of --scene, or PATCH that is no built-in patch, but a scene's name or file. Beside it, --patch
-     * replaces the scene's patch.
+     * Returns the scene that the page shows: of --scene, or PATCH that is no built-in patch, but a scene's name or file, of which
+     * --patch replaces the patch.
      */
     private Optional<String> sceneName() {
         Optional<String> argument = patchOptions.argument();
